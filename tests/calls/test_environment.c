@@ -3,25 +3,16 @@
  * and come back as they were, on errors too.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "calls.h"
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/float_environment.h"
-#include "common/guard.h"
-#include "common/kernels_here.h"
 #include "common/scenes.h"
 
 enum { EACH = SETTINGS < 16 ? 1 : 24 }; /* a question is asked under each of so many settings, the next under the next ones */
 
 _Static_assert((int)COUNT == (int)SCENE_TRIANGLES, "a batch fills what is asked");
 
-static arguments args;
 static asked a;
 static outputs out, blank, expected;
 
@@ -96,8 +87,6 @@ static void check(const call *c)
 /* Second passes are of the same accuracy and triangles as the first. */
 static void check_kernels(void)
 {
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     for (int k = 0; k < kernels; k++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t n = 0; n < call_count; n++) {
@@ -108,10 +97,8 @@ static void check_kernels(void)
             }
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < scene_count(); i += arguments_are_short(&args) ? 12 : 4) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         draw(&r, scene_at(i), i % 8 ? 4 : 8);
@@ -120,12 +107,10 @@ static void test_scenes(void **state)
 }
 
 /* Errors, and numbers that flushing to zero would change. */
-static void test_refusals(void **state)
+CASE(test_refusals)
 {
     static const uint64_t bounds[] = {
         1, UINT64_C(1) << 63 | 1, UINT64_C(0x36a) << 52, UINT64_C(0x7ff) << 52 | 1, UINT64_C(0xfff8) << 48, UINT64_C(0x7ff) << 52};
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "refusals");
     for (size_t b = 0; b < sizeof bounds / sizeof bounds[0]; b++) {
         draw(&r, scene_at(0), b % 2 ? 8 : 4);
@@ -139,9 +124,4 @@ static void test_refusals(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_scenes), cmocka_unit_test(test_refusals)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_scenes), RUN(test_refusals))

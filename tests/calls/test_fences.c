@@ -7,15 +7,9 @@
 #ifndef __wasm__
 #include <pthread.h>
 #endif
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "calls.h"
-#include "common/guard.h"
+#include "common/harness.h"
 
 static asked a;
 static outputs out, blank, expected;
@@ -128,10 +122,8 @@ static void ask_in_fences(const call *c, bool is_at_end)
             memcpy(*pointer(p), *(void *const *)(const void *)((const char *)&fenced + p->at), bytes_of(c, p));
 }
 
-static void test_fences(void **state)
+CASE(test_fences)
 {
-    (void)state;
-    catch_faults();
     list_places();
     for (int k = 0; k < 4; k++) {
         ask_rightly(k / 2 ? 8 : 4, &a, &out);
@@ -163,11 +155,10 @@ static void *work(void *own)
     return NULL;
 }
 
-static void test_threads(void **state)
+CASE(test_threads)
 {
     enum { THREADS = 6 };
     static worker workers[THREADS], alone;
-    (void)state;
     for (unsigned bytes = 4; bytes <= 8; bytes += 4) {
         ask_rightly(bytes, &a, &out);
         for (int t = -1; t < THREADS; t++) {
@@ -188,15 +179,7 @@ static void test_threads(void **state)
     }
 }
 
+PROGRAM(RUN(test_fences), RUN(test_threads))
+#else
+PROGRAM(RUN(test_fences))
 #endif
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fences),
-#ifndef __wasm__
-        cmocka_unit_test(test_threads),
-#endif
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}

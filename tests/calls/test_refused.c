@@ -5,16 +5,9 @@
 #include <float.h>
 #include <limits.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "calls.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "dispatch.h"
 
 static asked a;
@@ -483,10 +476,8 @@ static void ask_without(const call *c, const struct needed *p, size_t at, int wa
     }
 }
 
-static void test_needed(void **state)
+CASE(test_needed)
 {
-    (void)state;
-    catch_faults();
     for (size_t k = 0; k < call_count; k++) {
         int way = 0;
         for (size_t n = 0; n < POINTERS; n++)
@@ -495,10 +486,8 @@ static void test_needed(void **state)
     }
 }
 
-static void test_nothing(void **state)
+CASE(test_nothing)
 {
-    (void)state;
-    catch_faults();
     for (int w = 0; w < 3; w++)
         for (size_t k = 0; k < call_count; k++) {
             begin(widths[w]);
@@ -521,10 +510,8 @@ static void ask_all(const struct fault *f, int n, bool is_nothing)
     }
 }
 
-static void test_faults(void **state)
+CASE(test_faults)
 {
-    (void)state;
-    catch_faults();
     for (size_t f = 0; f < sizeof faults / sizeof faults[0]; f++)
         for (int w = 0; w < (strstr(faults[f].of, "mesh") || strstr(faults[f].of, "vert") ? 3 : 1); w++)
             for (int n = 0; n < faults[f].count; n++)
@@ -541,10 +528,8 @@ static void test_faults(void **state)
 }
 
 /* Each kernel by its name, where it runs. */
-static void test_kernels(void **state)
+CASE(test_kernels)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < tribox_kernel_count(); i++)
         for (size_t k = 0; k < call_count; k++) {
             begin(4);
@@ -555,35 +540,32 @@ static void test_kernels(void **state)
 }
 
 /* Every public function has a row, and every row a function. */
-static void test_names(void **state)
+CASE(test_names)
 {
-    (void)state;
 #define NAME(function) #function,
-    static const char *const names[] = {
+    static const char *const functions[] = {
 #include "public_names.h"
     };
-    enum { NAMES = sizeof names / sizeof names[0] };
+    enum { NAMES = sizeof functions / sizeof functions[0] };
     for (size_t n = 0, k; n < NAMES; n++) {
-        for (k = 0; k < call_count && strcmp(calls[k].function, names[n]) != 0; k++)
+        for (k = 0; k < call_count && strcmp(calls[k].function, functions[n]) != 0; k++)
             ;
         if (k == call_count)
-            fail_msg("%s is in no row of calls.c", names[n]);
+            fail_msg("%s is in no row of calls.c", functions[n]);
     }
     assert_true(NAMES > 60);
 }
 
-static void test_mask_words(void **state)
+CASE(test_mask_words)
 {
-    (void)state;
     assert_int_equal(tribox_mask_words(0), 0);
     for (size_t count = 1; count < 1000; count++)
         assert_int_equal(tribox_mask_words(count), (count - 1) / 64 + 1);
     assert_true(tribox_mask_words(SIZE_MAX) == SIZE_MAX / 64 + 1 && tribox_mask_words(SIZE_MAX - 63) == SIZE_MAX / 64);
 }
 
-static void test_status_texts(void **state)
+CASE(test_status_texts)
 {
-    (void)state;
     static const int unknown[] = {TRIBOX_STOPPED + 1, 99, -1, INT_MAX, INT_MIN};
     for (int s = TRIBOX_OK; s <= TRIBOX_STOPPED + 1; s++) {
         const char *const text = tribox_status_text((tribox_status)s);
@@ -596,9 +578,8 @@ static void test_status_texts(void **state)
 }
 
 /* A triangle in the plane x + y = 2 meets boxes in an edge alone, which goes to a slower stage; of that FAST is silent. */
-static void test_undecided(void **state)
+CASE(test_undecided)
 {
-    (void)state;
     static const float x[3] = {2.25f, -0.25f, 1.25f}, y[3] = {-0.25f, 2.25f, 0.75f}, z[3] = {0.5f, 0.25f, -2};
     const tribox_soup soup = {{x, x + 1, x + 2}, {y, y + 1, y + 2}, {z, z + 1, z + 2}, 1};
     const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
@@ -617,9 +598,8 @@ static void test_undecided(void **state)
 }
 
 /* A window of a grid that is too large for one call is not. */
-static void test_large_grid(void **state)
+CASE(test_large_grid)
 {
-    (void)state;
     begin(8);
     a.the_grid.size[1] = 65536, a.the_grid.size[2] = 32769;
     for (size_t k = 0; k < call_count; k++)
@@ -627,9 +607,8 @@ static void test_large_grid(void **state)
             ask(&calls[k], TRIBOX_OK, "a large grid", 0);
 }
 
-static void test_bytes(void **state)
+CASE(test_bytes)
 {
-    (void)state;
     static const uint32_t endless[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
     assert_true(tribox_bricks_bytes(128) >= 128 * 128 * 2 * sizeof(uint64_t) && tribox_bricks_bytes(128) < 512 * 1024);
     assert_true(tribox_bricks_bytes(0) < 128 * 1024 && tribox_bricks_ids_bytes(64) > 64 * 64 * 64 * sizeof(uint32_t));
@@ -640,15 +619,12 @@ static void test_bytes(void **state)
     assert_true(tribox_fill_labels_bytes(endless) == SIZE_MAX && tribox_index_bytes(SIZE_MAX) < SIZE_MAX);
 }
 
-int main(void)
+static int set_up(void)
 {
     ask_rightly(4, &a, &out);
     outputs_prepare(&a, 0xa5, &poison);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_needed),       cmocka_unit_test(test_nothing),   cmocka_unit_test(test_faults),
-        cmocka_unit_test(test_kernels),      cmocka_unit_test(test_names),     cmocka_unit_test(test_mask_words),
-        cmocka_unit_test(test_status_texts), cmocka_unit_test(test_undecided), cmocka_unit_test(test_large_grid),
-        cmocka_unit_test(test_bytes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return 0;
 }
+
+PROGRAM_AFTER(set_up, RUN(test_needed), RUN(test_nothing), RUN(test_faults), RUN(test_kernels), RUN(test_names),
+              RUN(test_mask_words), RUN(test_status_texts), RUN(test_undecided), RUN(test_large_grid), RUN(test_bytes))

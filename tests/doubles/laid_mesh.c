@@ -44,12 +44,6 @@ laid_fences laid_fences_make(uint64_t seed)
     return f;
 }
 
-void laid_fences_free(laid_fences f)
-{
-    guarded_free(f.positions);
-    guarded_free(f.indices);
-}
-
 static unsigned number_bytes(const tribox_mesh *mesh) { return mesh->position_bytes == 8 ? 8 : 4; }
 
 static size_t axis_stride_of(const tribox_mesh *mesh) { return mesh->axis_stride ? mesh->axis_stride : number_bytes(mesh); }

@@ -20,7 +20,7 @@ typedef enum vertex_order {
 typedef struct mesh_form {
     unsigned position_bytes; /* as in tribox_mesh */
     unsigned index_bytes;    /* 0 for none */
-    unsigned axes;        /* as in tribox_mesh */
+    unsigned axes;           /* as in tribox_mesh */
     vertex_order order;
     size_t gap;     /* bytes between what could be next to each other */
     int shift;      /* bytes by which positions and indices lie beside an aligned place */
@@ -43,7 +43,6 @@ typedef struct laid_fences {
 
 /* Filled with bytes at random: what lies between numbers. */
 laid_fences laid_fences_make(uint64_t seed);
-void laid_fences_free(laid_fences f);
 
 /*
  * Lays out triangles; vertex j of the mesh's triangles is vertex turn[j] of these. Vertices with indices are numbered in any order.

@@ -2,14 +2,7 @@
  * test_exact_f64.c - every scene of doubles, every kernel: EXACT is the oracle's answer on every set of axes and in every layout;
  * CONSERVATIVE and FAST never miss, and report too much only within the bound that they promise.
  */
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/ask.h"
 #include "common/oracle_f64.h"
 #include "laid_mesh.h"
@@ -28,8 +21,6 @@ typedef struct test_run {
     const scene_f64 *scene;
     uint64_t seed;
     random_source r;
-    const char *kernels[KERNELS_MAX];
-    int kernel_count;
     laid_fences fences;
     batch_f64 batch;
     oracle_axes truth[BATCH_F64];
@@ -118,7 +109,7 @@ static void ask(test_run *t, tribox_accuracy accuracy, unsigned axes, int kernel
     const tribox_mesh mesh = laid_mesh_of(&t->r, &form, (const double(*)[3][3])t->batch.u, BATCH_F64,
                                           permutations[random_int(&t->r, ORDERS)], t->fences);
     const tribox_options o = {
-        .accuracy = accuracy, .axes = axes, .axis_order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
+        .accuracy = accuracy, .axes = axes, .axis_order = order_digits(random_int(&t->r, ORDERS)), .kernel = names[kernel]};
     uint64_t mask[WORDS];
     tribox_report report;
     size_t count = 0;
@@ -139,12 +130,12 @@ static void ask(test_run *t, tribox_accuracy accuracy, unsigned axes, int kernel
     }
 }
 
-static int any_kernel(test_run *t) { return random_int(&t->r, t->kernel_count); }
+static int any_kernel(test_run *t) { return random_int(&t->r, kernels); }
 
 static void try_batch(test_run *t)
 {
     draw_batch(t);
-    for (int kernel = 0; kernel < t->kernel_count; kernel++)
+    for (int kernel = 0; kernel < kernels; kernel++)
         ask(t, TRIBOX_EXACT, TRIBOX_AXES_ALL, kernel);
     for (unsigned axes = 1; axes < TRIBOX_AXES_ALL; axes++)
         ask(t, TRIBOX_EXACT, axes, any_kernel(t));
@@ -164,40 +155,31 @@ static void print_tally(const test_run *t)
     fflush(stdout);
 }
 
-static size_t pairs_of(const scene_f64 *scene, const arguments *args)
+static size_t pairs_of(const scene_f64 *scene)
 {
-    return (args->pairs > PAIRS_USUAL ? args->pairs : args->pairs / SHARE) / scene->share;
+    return (args.pairs > PAIRS_USUAL ? args.pairs : args.pairs / SHARE) / scene->share;
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    const arguments *const args = *state;
     static test_run t;
-    t.kernel_count = kernels_here(t.kernels);
-    t.fences = laid_fences_make(args->seed);
-    t.seed = args->seed;
-    catch_faults();
+    t.fences = laid_fences_make(args.seed);
+    t.seed = args.seed;
     printf("%-14s %9s %9s %10s %11s %15s\n", "scene", "pairs", "overlap%", "touching%", "undecided%", "rounded false%");
     for (size_t i = 0; i < scene_f64_count(); i++) {
         t.scene = scene_f64_at(i);
-        if (!scene_f64_is_called(t.scene, args->scenes))
+        if (!scene_f64_is_called(t.scene, args.scenes))
             continue;
-        t.r = random_named(args->seed, t.scene->name);
+        t.r = random_named(args.seed, t.scene->name);
         t.tally = (tally){0};
-        while (t.tally.pairs < pairs_of(t.scene, args))
+        while (t.tally.pairs < pairs_of(t.scene))
             try_batch(&t);
         print_tally(&t);
         /* A scene of one answer tests nothing. */
         assert_in_range(t.tally.overlaps, 1, t.tally.pairs - 1);
     }
-    laid_fences_free(t.fences);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    if (!scene_f64_name_is_known(args.scenes))
-        return 2;
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_scenes, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static int check_name(void) { return scene_f64_name_is_known(args.scenes) ? 0 : 2; }
+
+PROGRAM_AFTER(check_name, RUN(test_scenes))

@@ -2,14 +2,7 @@
  * test_forms_f64.c - a mesh of doubles of any layout gives the answers of nine doubles a triangle: every call, every length,
  * nothing read outside it and nothing written outside the answers. Floats, widened or not, give those of the calls about floats.
  */
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/ask.h"
 #include "common/scenes.h"
 #include "inputs/fences.h"
@@ -19,9 +12,6 @@
 
 enum { WORDS = LAID_MOST / 64 + 1, PLACES = 8 };
 
-static arguments args;
-static const char *names[KERNELS_MAX];
-static int kernels;
 static laid_fences fences;
 static guarded mask_fence, inside_fence, report_fence, stream_fence[9];
 
@@ -29,27 +19,14 @@ static double triangles[LAID_MOST][3][3];
 static tribox_box box;
 static uint64_t wanted_mask[WORDS], wanted_inside[WORDS];
 
-static int set_up(void **state)
+static int set_up(void)
 {
-    (void)state;
     fences = laid_fences_make(args.seed);
     mask_fence = guarded_make(WORDS * sizeof(uint64_t) + 64);
     inside_fence = guarded_make(WORDS * sizeof(uint64_t) + 64);
     report_fence = guarded_make(sizeof(tribox_report) + 64);
     for (int s = 0; s < 9; s++)
         stream_fence[s] = guarded_make(LAID_MOST * sizeof(float) + 64);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    laid_fences_free(fences);
-    guarded_free(mask_fence);
-    guarded_free(inside_fence);
-    guarded_free(report_fence);
-    for (int s = 0; s < 9; s++)
-        guarded_free(stream_fence[s]);
     return 0;
 }
 
@@ -225,10 +202,8 @@ static void check_form(random_source *r, size_t count)
     }
 }
 
-static void test_lengths(void **state)
+CASE(test_lengths)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "lengths");
     for (int round = arguments_are_short(&args) ? 2 : 0; round < 3; round++)
         for (size_t count = 0; count <= 200; count += count < 140 ? 1 : 7) {
@@ -238,10 +213,8 @@ static void test_lengths(void **state)
 }
 
 /* About the ends of blocks of any size. */
-static void test_blocks(void **state)
+CASE(test_blocks)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "blocks");
     for (size_t block = 256; block <= 4096; block *= 2)
         for (size_t count = block - 1; count <= block + 1; count++) {
@@ -253,10 +226,8 @@ static void test_blocks(void **state)
 }
 
 /* Runs of triangles apart from the box, of which one here and there is not. */
-static void test_beside(void **state)
+CASE(test_beside)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "beside");
     for (int round = 0; round < 40; round++) {
         const size_t count = 1 + random_below(&r, round % 4 ? 700 : LAID_MOST);
@@ -276,11 +247,9 @@ static void test_beside(void **state)
 static const size_t laid_counts[] = {1, 5, 64, 100};
 
 /* All scenes of floats: widened, and as they are, against the calls about floats. */
-static void test_floats(void **state)
+CASE(test_floats)
 {
-    (void)state;
     static scene_batch batch;
-    catch_faults();
     random_source r = random_named(args.seed, "floats");
     for (size_t s = 0; s < scene_count(); s++)
         for (int round = 0; round < (arguments_are_short(&args) ? 1 : 3); round++) {
@@ -318,10 +287,8 @@ static void check_search_that_may_stop(const tribox_mesh *mesh, const tribox_opt
 }
 
 /* Indices that reach a part of the vertices, the last of them at the end of memory; others that name one that is not there. */
-static void test_bad_indices(void **state)
+CASE(test_bad_indices)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "bad indices");
     for (int round = 0; round < 100; round++) {
         const size_t count = 1 + random_below(&r, round % 3 ? 150 : LAID_MOST);
@@ -350,13 +317,4 @@ static void test_bad_indices(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    kernels = kernels_here(names);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lengths), cmocka_unit_test(test_blocks),      cmocka_unit_test(test_beside),
-        cmocka_unit_test(test_floats),  cmocka_unit_test(test_bad_indices),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+PROGRAM_AFTER(set_up, RUN(test_lengths), RUN(test_blocks), RUN(test_beside), RUN(test_floats), RUN(test_bad_indices))

@@ -5,25 +5,14 @@
  */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
-#include "common/kernels_here.h"
+#include "common/harness.h"
 #include "common/scenes.h"
 #include "laid_mesh.h"
 #include "scenes_f64.h"
 
 enum { TRIANGLES = 100, LISTED_MOST = 2100 };
 
-static arguments args;
-static const char *names[KERNELS_MAX];
-static int kernels;
 static laid_fences fences;
 static guarded list_fence, bytes_fence, stream_fences[9];
 
@@ -160,10 +149,8 @@ static void check_forms(random_source *r, const tribox_box *box, const double (*
     }
 }
 
-static void test_floats(void **state)
+CASE(test_floats)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         for (int round = 0; round < (arguments_are_short(&args) ? 2 : 12); round++) {
@@ -185,9 +172,8 @@ static void test_floats(void **state)
  * Small triangles, an edge of which grazes a corner of the box: what the sides of the box round off decides, and nothing else
  * does. In some boxes an upper bound is zero, next to which floats are so near each other that products of lengths vanish.
  */
-static void test_grazing(void **state)
+CASE(test_grazing)
 {
-    (void)state;
     static double u[TRIANGLES][3][3];
     random_source r = random_named(args.seed, "grazing");
     for (int round = 0; round < (arguments_are_short(&args) ? 40 : 200); round++) {
@@ -213,9 +199,8 @@ static void test_grazing(void **state)
     }
 }
 
-static void test_doubles(void **state)
+CASE(test_doubles)
 {
-    (void)state;
     for (size_t i = 0; i < scene_f64_count(); i++) {
         random_source r = random_named(args.seed, scene_f64_at(i)->name);
         for (int round = 0; round < (arguments_are_short(&args) ? 2 : 12); round++) {
@@ -229,9 +214,8 @@ static void test_doubles(void **state)
 }
 
 /* The nearest double to the middle, however large or small the bounds; middles that are not in the box; the empty box. */
-static void test_middles(void **state)
+CASE(test_middles)
 {
-    (void)state;
     static const double bounds[][2] = {{-DBL_MAX, DBL_MAX}, {DBL_MAX, DBL_MAX},       {0x1.fffffffffffffp1022, DBL_MAX},
                                        {0, 0x1p-1074},      {0x1p-1074, 0x1.8p-1073}, {1, 1 + 0x1p-52},
                                        {-0x1p-1074, 0}};
@@ -263,9 +247,8 @@ static void test_middles(void **state)
     }
 }
 
-static int set_up(void **state)
+static int set_up(void)
 {
-    (void)state;
     fences = laid_fences_make(args.seed);
     list_fence = guarded_make(LISTED_MOST * sizeof(uint32_t));
     for (int s = 0; s < 9; s++)
@@ -274,22 +257,4 @@ static int set_up(void **state)
     return 0;
 }
 
-static int tear_down(void **state)
-{
-    (void)state;
-    laid_fences_free(fences);
-    guarded_free(list_fence);
-    for (int s = 0; s < 9; s++)
-        guarded_free(stream_fences[s]);
-    guarded_free(bytes_fence);
-    return 0;
-}
-
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    kernels = kernels_here(names);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_floats), cmocka_unit_test(test_doubles),
-                                       cmocka_unit_test(test_grazing), cmocka_unit_test(test_middles)};
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+PROGRAM_AFTER(set_up, RUN(test_floats), RUN(test_doubles), RUN(test_grazing), RUN(test_middles))

@@ -1,15 +1,8 @@
 #include "forms.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/kernels_here.h"
+#include "common/harness.h"
 #include "fences.h"
 
 form_fences form_fences_make(size_t triangles, size_t boxes)
@@ -25,13 +18,6 @@ form_fences form_fences_make(size_t triangles, size_t boxes)
         .report = guarded_make(sizeof(tribox_report)),
         .found = guarded_make(sizeof(size_t)),
     };
-}
-
-void form_fences_free(form_fences *f)
-{
-    const guarded all[] = {f->mask, f->number, f->bits, f->inside, f->list, f->start, f->report, f->found};
-    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++)
-        guarded_free(all[k]);
 }
 
 /* What is asked, and the answers of the calls without an index. */
@@ -305,8 +291,6 @@ void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes 
 tribox_options any_index_options(random_source *r)
 {
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     return (tribox_options){.accuracy = (tribox_accuracy)random_int(r, 3),
                             .axes = random_int(r, 3) ? 0 : TRIBOX_AXES_BOX | 2u * (unsigned)random_int(r, 4),
                             .axis_order = orders[random_int(r, sizeof orders / sizeof orders[0])],

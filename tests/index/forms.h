@@ -15,7 +15,6 @@ typedef struct form_fences {
 
 /* For so many triangles at most, and so many boxes at once. */
 form_fences form_fences_make(size_t triangles, size_t boxes);
-void form_fences_free(form_fences *f);
 
 /*
  * Asks all forms about a box: mask, count, words, inside, list, any. EXACT has to be the scalar kernel's tribox_overlap bit for

@@ -1,13 +1,9 @@
 #include "order_kinds.h"
 
+#include "common/harness.h"
+
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 const char *const order_kind_names[ORDER_KINDS] = {"random", "sorted",    "reversed", "organ pipe", "sawtooth",  "equal",   "few",
                                                    "zeros",  "subnormal", "greatest", "all scales", "half wild", "all wild"};

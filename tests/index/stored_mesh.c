@@ -1,13 +1,9 @@
 #include "stored_mesh.h"
 
+#include "common/harness.h"
+
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "common/guarded_pages.h"
 
@@ -21,13 +17,6 @@ stored_mesh stored_mesh_make(size_t room)
                      .vertex = malloc(3 * room * sizeof(uint32_t) + 1)};
     assert_non_null(m.vertex);
     return m;
-}
-
-void stored_mesh_free(stored_mesh *m)
-{
-    guarded_free(m->positions_fence);
-    guarded_free(m->indices_fence);
-    free(m->vertex);
 }
 
 /* Near, as maps have it, at the end of what float and double can tell, and so small and large that float ends before. */

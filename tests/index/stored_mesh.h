@@ -28,7 +28,6 @@ typedef struct stored_mesh {
 
 /* For so many triangles at most. */
 stored_mesh stored_mesh_make(size_t room);
-void stored_mesh_free(stored_mesh *m);
 
 mesh_layout draw_layout(random_source *r, size_t triangles);
 

@@ -1,10 +1,6 @@
 #include "stored_soup.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "common/harness.h"
 
 #include "common/guarded_pages.h"
 
@@ -19,14 +15,6 @@ stored_soup stored_soup_make(size_t room)
     s.ids_fence = guarded_make((room + STORED_SHIFTS) * sizeof(uint32_t));
     s.nodes_fence = guarded_make(tribox_index_bytes(room) + STORED_SHIFTS);
     return s;
-}
-
-void stored_soup_free(stored_soup *s)
-{
-    for (int k = 0; k < STORED_STREAMS; k++)
-        guarded_free(s->stream_fence[k]);
-    guarded_free(s->ids_fence);
-    guarded_free(s->nodes_fence);
 }
 
 static void *placed(guarded fence, size_t bytes, int shift, size_t unit)

@@ -20,7 +20,6 @@ typedef struct stored_soup {
 
 /* Fences for so many triangles at most, with room to shift all in. */
 stored_soup stored_soup_make(size_t room);
-void stored_soup_free(stored_soup *s);
 
 /*
  * A soup of so many triangles, whose numbers are to be written. All ends at the pages after it; or else begins after those before

@@ -2,28 +2,16 @@
  * test_damaged.c - an index of random bytes, with flipped bits, or of another soup of as many triangles: nothing is read outside,
  * and answers may be wrong but are answers. A copy anywhere answers as the index does.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "fences.h"
 #include "hostile.h"
 #include "index_fixture.h"
 
 enum { COUNT_MAX = 9000, WORDS = (COUNT_MAX + 63) / 64, BOXES = 4, PAIRS = 100000, ROUNDS = 300 };
 
-static arguments args;
 static bool is_lattice; /* oriented boxes about others take long */
 
-static int make_all(void **state)
-{
-    (void)state;
-    return index_fixture_make(COUNT_MAX, BOXES);
-}
+static int make_all(void) { return index_fixture_make(COUNT_MAX, BOXES); }
 
 static void say(const char *form, const tribox_options *options)
 {
@@ -152,10 +140,8 @@ static void draw(random_source *r)
     stored_soup_build(&stored, any_index_options(r).kernel);
 }
 
-static void test_random_bytes(void **state)
+CASE(test_random_bytes)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "random bytes");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw(&r);
@@ -166,10 +152,8 @@ static void test_random_bytes(void **state)
     }
 }
 
-static void test_flipped_bits(void **state)
+CASE(test_flipped_bits)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "flipped bits");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw(&r);
@@ -180,11 +164,9 @@ static void test_flipped_bits(void **state)
 }
 
 /* Every child is said to be everywhere and whole: nodes and words past the last are still not there. */
-static void test_all_inside(void **state)
+CASE(test_all_inside)
 {
-    (void)state;
     enum { BOUNDS = 6 * 64, NODE = BOUNDS * sizeof(float) + 64 };
-    catch_faults();
     random_source r = random_named(args.seed, "all inside");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw(&r);
@@ -202,10 +184,8 @@ static void test_all_inside(void **state)
     }
 }
 
-static void test_another_soup(void **state)
+CASE(test_another_soup)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "another soup");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw(&r);
@@ -217,10 +197,8 @@ static void test_another_soup(void **state)
 }
 
 /* The original is gone when the copy is asked. */
-static void test_copies(void **state)
+CASE(test_copies)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "copies");
     const guarded elsewhere = guarded_make(tribox_index_bytes(COUNT_MAX) + STORED_SHIFTS);
     for (int shift = 0; shift < STORED_SHIFTS; shift++) {
@@ -240,12 +218,5 @@ static void test_copies(void **state)
     guarded_free(elsewhere);
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_bytes), cmocka_unit_test(test_flipped_bits), cmocka_unit_test(test_all_inside),
-        cmocka_unit_test(test_another_soup), cmocka_unit_test(test_copies),
-    };
-    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
-}
+PROGRAM_AFTER(make_all, RUN(test_random_bytes), RUN(test_flipped_bits), RUN(test_all_inside), RUN(test_another_soup),
+              RUN(test_copies))

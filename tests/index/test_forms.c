@@ -2,25 +2,13 @@
  * test_forms.c - all forms of a question answer alike, and as the calls without an index do: hostile soups and boxes, every kernel,
  * accuracy and set of axes. --long asks a million questions.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "hostile.h"
 #include "index_fixture.h"
 
 enum { TRIANGLES = 2000, BOXES = 20, PAIRS_A_QUESTION = 10 };
 
-static arguments args;
-
-static int make_all(void **state)
-{
-    (void)state;
-    return index_fixture_make(TRIANGLES, BOXES);
-}
+static int make_all(void) { return index_fixture_make(TRIANGLES, BOXES); }
 
 /* Mostly some words: a question about them has all there is, but for a second level of nodes. */
 static void draw_soup(random_source *r, const soup_kind *kind)
@@ -55,10 +43,8 @@ static void check_soup(random_source *r, const soup_kind *kind)
     check_lists(&fences, &stored, &boxes, &options, kind->name);
 }
 
-static void test_hostile_soups(void **state)
+CASE(test_hostile_soups)
 {
-    (void)state;
-    catch_faults();
     const size_t rounds = arguments_rounds(&args, soup_kind_count() * BOXES * PAIRS_A_QUESTION);
     for (size_t k = 0; k < soup_kind_count(); k++) {
         random_source r = random_named(args.seed, soup_kind_at(k)->name);
@@ -68,10 +54,8 @@ static void test_hostile_soups(void **state)
 }
 
 /* Each scene against its own box, with every option there is. */
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         scene_batch batch;
         random_source r = random_named(args.seed, scene_at(i)->name);
@@ -87,12 +71,4 @@ static void test_scenes(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hostile_soups),
-        cmocka_unit_test(test_scenes),
-    };
-    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
-}
+PROGRAM_AFTER(make_all, RUN(test_hostile_soups), RUN(test_scenes))

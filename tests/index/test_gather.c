@@ -1,16 +1,9 @@
 /* test_gather.c - triangles in any order as streams: every range, none beside it, none at all on an error. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "order_kinds.h"
 
 enum { COUNT = 90, VERTICES = 40 };
 
-static arguments args;
 static uint32_t order[COUNT];
 static guarded fence[9];
 static float *to[9];
@@ -31,10 +24,8 @@ static void demand_untouched(void)
             assert_int_equal(fence[k].first[i], 0xa5);
 }
 
-static int make_fences(void **state)
+static int make_fences(void)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "order");
     for (int k = 0; k < 9; k++)
         fence[k] = guarded_make(COUNT * sizeof(float) + 64);
@@ -56,9 +47,8 @@ static void demand_streams(const tribox_soup *soup, size_t first, size_t count)
     demand_untouched();
 }
 
-static void test_soups(void **state)
+CASE(test_soups)
 {
-    (void)state;
     random_source r = random_named(args.seed, "soups");
     order_room room = order_room_make(&r, KIND_HALF_WILD, COUNT);
     for (size_t first = 0; first <= COUNT; first++)
@@ -110,9 +100,8 @@ static void check_mesh(random_source *r, unsigned index_bytes, size_t stride)
     guarded_free(positions);
 }
 
-static void test_meshes(void **state)
+CASE(test_meshes)
 {
-    (void)state;
     random_source r = random_named(args.seed, "meshes");
     static const size_t strides[] = {0, 12, 13, 16, 40};
     for (unsigned index_bytes = 0; index_bytes <= 4; index_bytes += 2)
@@ -120,9 +109,8 @@ static void test_meshes(void **state)
             check_mesh(&r, index_bytes, strides[k]);
 }
 
-static void test_bad(void **state)
+CASE(test_bad)
 {
-    (void)state;
     random_source r = random_named(args.seed, "bad");
     order_room room = order_room_make(&r, KIND_RANDOM, COUNT);
     float positions[VERTICES][3] = {{0}};
@@ -160,9 +148,4 @@ static void test_bad(void **state)
     order_room_free(&room);
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_soups), cmocka_unit_test(test_meshes), cmocka_unit_test(test_bad)};
-    return cmocka_run_group_tests(tests, make_fences, NULL);
-}
+PROGRAM_AFTER(make_fences, RUN(test_soups), RUN(test_meshes), RUN(test_bad))

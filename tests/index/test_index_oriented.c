@@ -3,15 +3,8 @@
  * CONSERVATIVE never misses, and what is far outside or inside is not even read.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/contact.h"
 #include "fences.h"
 #include "hostile.h"
@@ -20,13 +13,7 @@
 
 enum { COUNT_MAX = 2 * TRIBOX_INDEX_BLOCK, WORDS = COUNT_MAX / 64, PAIRS = 100000, ROUNDS = 3, BOXES = 6 };
 
-static arguments args;
-
-static int make_all(void **state)
-{
-    (void)state;
-    return index_fixture_make(COUNT_MAX, 1);
-}
+static int make_all(void) { return index_fixture_make(COUNT_MAX, 1); }
 
 static void say(const char *form, const tribox_options *options, const char *name)
 {
@@ -134,10 +121,8 @@ static tribox_oriented_box draw_oriented(random_source *r)
     return box;
 }
 
-static void test_hostile_soups(void **state)
+CASE(test_hostile_soups)
 {
-    (void)state;
-    catch_faults();
     for (size_t kind = 0; kind < soup_kind_count(); kind++) {
         random_source r = random_named(args.seed, soup_kind_at(kind)->name);
         for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
@@ -157,11 +142,9 @@ static void test_hostile_soups(void **state)
     }
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    (void)state;
     static oriented_batch batch;
-    catch_faults();
     for (int s = 0; s < ORIENTED_SCENES; s++) {
         random_source r = random_named(args.seed, oriented_scenes[s].name);
         for (int round = 0; round < (arguments_are_short(&args) ? 1 : 4); round++) {
@@ -179,10 +162,8 @@ static void test_scenes(void **state)
 }
 
 /* One point all over, through which a face of a turned box goes, but for the rounding. */
-static void test_rounding(void **state)
+CASE(test_rounding)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "rounding");
     for (int round = 0; round < (arguments_are_short(&args) ? 100 : 500); round++) {
         tribox_oriented_box box;
@@ -213,10 +194,8 @@ static void test_rounding(void **state)
 }
 
 /* Boxes turned about a node, by its radius and by far more; and boxes that its words are beside, on each side of each axis. */
-static void test_unseen(void **state)
+CASE(test_unseen)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "unseen");
     stored_soup_lay(&stored, TRIBOX_INDEX_BLOCK, STORED_AT_END);
     for (int k = 0; k < STORED_STREAMS; k++)
@@ -250,14 +229,4 @@ static void test_unseen(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hostile_soups),
-        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_rounding),
-        cmocka_unit_test(test_unseen),
-    };
-    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
-}
+PROGRAM_AFTER(make_all, RUN(test_hostile_soups), RUN(test_scenes), RUN(test_rounding), RUN(test_unseen))

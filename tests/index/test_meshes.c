@@ -3,15 +3,8 @@
  * anywhere; its bytes do not hang on layout and kernel; what is apart or inside is not read; a mesh that has changed since is safe.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "fences.h"
 #include "hostile.h"
 #include "index_fixture.h"
@@ -20,20 +13,12 @@
 
 enum { TRIANGLES = 2000, LARGE = 64 * TRIBOX_INDEX_BLOCK + 100, BOXES = 12, PAIRS_A_QUESTION = 20 };
 
-static arguments args;
 static stored_mesh mesh;
 
-static int make_all(void **state)
+static int make_all(void)
 {
-    (void)state;
     mesh = stored_mesh_make(LARGE);
     return index_fixture_make(LARGE, 1);
-}
-
-static int free_all(void **state)
-{
-    stored_mesh_free(&mesh);
-    return index_fixture_free(state);
 }
 
 static void draw_soup(random_source *r, const soup_kind *kind, size_t count)
@@ -61,10 +46,8 @@ static void ask_all(random_source *r, const tribox_box *about, const char *name)
     check_forms(&fences, &stored, &box, &options, what);
 }
 
-static void test_hostile_meshes(void **state)
+CASE(test_hostile_meshes)
 {
-    (void)state;
-    catch_faults();
     const size_t rounds = arguments_rounds(&args, soup_kind_count() * BOXES * PAIRS_A_QUESTION);
     for (size_t k = 0; k < soup_kind_count(); k++) {
         random_source r = random_named(args.seed, soup_kind_at(k)->name);
@@ -79,10 +62,8 @@ static void test_hostile_meshes(void **state)
 }
 
 /* Scenes of pairs that are hard to tell, with every option there is. */
-static void test_mesh_scenes(void **state)
+CASE(test_mesh_scenes)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         scene_batch batch;
         random_source r = random_named(args.seed, scene_at(i)->name);
@@ -98,11 +79,9 @@ static void test_mesh_scenes(void **state)
 }
 
 /* Two and three levels of nodes; boxes about parts of them. */
-static void test_levels(void **state)
+CASE(test_levels)
 {
-    (void)state;
     static const size_t counts[] = {TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK + 1, 3 * TRIBOX_INDEX_BLOCK - 64, 50000, LARGE};
-    catch_faults();
     random_source r = random_named(args.seed, "levels");
     for (size_t c = 0; c < (arguments_are_short(&args) ? 3 : 5); c++) {
         draw_mesh(&r, soup_kind_at(0), counts[c]);
@@ -127,10 +106,8 @@ static void expect_same_bytes(const tribox_index *index, const char *kernel, con
 }
 
 /* Of floats, those of the soup; of doubles, the same in every layout; each by every kernel. */
-static void test_bytes(void **state)
+CASE(test_bytes)
 {
-    (void)state;
-    catch_faults();
     for (size_t k = 0; k < soup_kind_count(); k++) {
         random_source r = random_named(args.seed, soup_kind_at(k)->name);
         for (int round = 0; round < 4; round++) {
@@ -149,10 +126,8 @@ static void test_bytes(void **state)
 }
 
 /* Numbers change; updates of their range write the bytes of a build. */
-static void test_updates(void **state)
+CASE(test_updates)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "updates");
     for (int round = 0; round < 40; round++) {
         const size_t count = 1 + random_below(&r, round % 4 ? 1000 : 3 * TRIBOX_INDEX_BLOCK);
@@ -195,11 +170,9 @@ static size_t count_unseen(const tribox_box *box, const char *kernel)
 }
 
 /* A thousandth of a unit beside a word, and about it: nothing is read, far from zero too, where floats are units apart. */
-static void test_unseen(void **state)
+CASE(test_unseen)
 {
-    (void)state;
     static const double far[] = {0, 5123456.7, 0x1p36};
-    catch_faults();
     random_source r = random_named(args.seed, "unseen");
     for (size_t n = 0; n < 3 * (size_t)kernels; n++) {
         const double at = far[n % 3];
@@ -263,10 +236,8 @@ static void check_lost(const tribox_box *box, const uint64_t *before, const trib
     free(number);
 }
 
-static void test_changed(void **state)
+CASE(test_changed)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "changed");
     for (size_t round = 0; round < arguments_rounds(&args, 5000); round++) {
         const size_t count = 1 + random_below(&r, 1000), words = tribox_mask_words(count);
@@ -293,10 +264,8 @@ static void test_changed(void **state)
 }
 
 /* A mesh that has lost its vertices, all of them or the last: what it has no room for is not read. */
-static void test_shrunk(void **state)
+CASE(test_shrunk)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "shrunk");
     for (int round = 0; round < 100; round++) {
         draw_mesh(&r, soup_kind_at((size_t)round % soup_kind_count()), 1 + random_below(&r, 500));
@@ -368,10 +337,8 @@ static tribox_options any_turned_options(random_source *r)
     return options;
 }
 
-static void test_turned(void **state)
+CASE(test_turned)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "turned");
     for (size_t round = 0; round < arguments_rounds(&args, 2000); round++) {
         const soup_kind *const kind = soup_kind_at(round % soup_kind_count());
@@ -386,10 +353,8 @@ static void test_turned(void **state)
 }
 
 /* Triangles that have lost a vertex overlap no oriented box either. */
-static void test_turned_and_changed(void **state)
+CASE(test_turned_and_changed)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "turned and changed");
     for (size_t round = 0; round < arguments_rounds(&args, 1000); round++) {
         const size_t count = 1 + random_below(&r, 300);
@@ -416,9 +381,8 @@ static void test_turned_and_changed(void **state)
 }
 
 /* Numbers near one another and far apart, seen from one origin and then from another: bounds hold them on every level. */
-static void test_bounds(void **state)
+CASE(test_bounds)
 {
-    (void)state;
     random_source r = random_named(args.seed, "bounds");
     tribox_node below[2], above, wide;
     for (int round = 0; round < 200000; round++) {
@@ -440,16 +404,6 @@ static void test_bounds(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hostile_meshes), cmocka_unit_test(test_mesh_scenes),
-        cmocka_unit_test(test_levels),         cmocka_unit_test(test_bytes),
-        cmocka_unit_test(test_updates),        cmocka_unit_test(test_unseen),
-        cmocka_unit_test(test_changed),        cmocka_unit_test(test_shrunk),
-        cmocka_unit_test(test_turned),         cmocka_unit_test(test_turned_and_changed),
-        cmocka_unit_test(test_bounds),
-    };
-    return cmocka_run_group_tests(tests, make_all, free_all);
-}
+PROGRAM_AFTER(make_all, RUN(test_hostile_meshes), RUN(test_mesh_scenes), RUN(test_levels), RUN(test_bytes), RUN(test_updates),
+              RUN(test_unseen), RUN(test_changed), RUN(test_shrunk), RUN(test_turned), RUN(test_turned_and_changed),
+              RUN(test_bounds))

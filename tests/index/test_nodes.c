@@ -2,13 +2,7 @@
  * test_nodes.c - counts about 64, 64^2 and 64^3, where words, nodes and levels of nodes begin: NaN and infinity in every part of
  * them, boxes with each of them wholly inside, memory of exactly that length at any alignment.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "hostile.h"
 #include "index_fixture.h"
 
@@ -16,13 +10,7 @@ static const size_t counts[] = {0,    1,    2,    63,   64,    65,    127,      
                                 4095, 4096, 4097, 8191, 12345, 65535, 262144 - 1, 262144, 262144 + 1};
 enum { COUNTS = sizeof counts / sizeof counts[0], COUNT_MAX = 262144 + 1, BOXES = 12, BOXES_OF_MANY = 5 };
 
-static arguments args;
-
-static int make_all(void **state)
-{
-    (void)state;
-    return index_fixture_make(COUNT_MAX, 1);
-}
+static int make_all(void) { return index_fixture_make(COUNT_MAX, 1); }
 
 static void draw(random_source *r, size_t count, dirt kind, int shift)
 {
@@ -40,11 +28,9 @@ static void check(const tribox_box *box, size_t turn)
 }
 
 /* Every count, with every kind of dirt; the long ones with one kind each. */
-static void test_counts(void **state)
+CASE(test_counts)
 {
-    (void)state;
     const size_t boxes_of_many = arguments_are_short(&args) ? 2 : BOXES_OF_MANY;
-    catch_faults();
     for (size_t c = 0; c < COUNTS; c++) {
         random_source r = random_named(args.seed, "counts");
         const bool is_long = counts[c] > 2 * TRIBOX_INDEX_BLOCK;
@@ -70,10 +56,8 @@ static void check_parts(size_t count)
 }
 
 /* Each kind of dirt in nodes, and in nodes of nodes, that would be wholly inside without it. */
-static void test_dirt(void **state)
+CASE(test_dirt)
 {
-    (void)state;
-    catch_faults();
     for (size_t kind = 0; kind < DIRTS; kind++) {
         random_source r = random_named(args.seed, "dirt");
         draw(&r, kind % 2 ? 2 * TRIBOX_INDEX_BLOCK : TRIBOX_INDEX_BLOCK + 100, (dirt)kind, STORED_AT_END);
@@ -86,10 +70,8 @@ static void test_dirt(void **state)
 }
 
 /* One triangle that is not finite, in each of the places of a word, and of the last word of a soup. */
-static void test_dirt_in_a_word(void **state)
+CASE(test_dirt_in_a_word)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "dirt in a word");
     for (size_t count = 64; count <= 200; count += 17)
         for (size_t at = 0; at < count; at += 1 + at / 64) {
@@ -102,10 +84,8 @@ static void test_dirt_in_a_word(void **state)
 }
 
 /* The index at every place beside an aligned one, and so the streams. */
-static void test_alignment(void **state)
+CASE(test_alignment)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "alignment");
     for (int shift = 0; shift < STORED_SHIFTS; shift++)
         for (int k = 0; k < kernels; k++) {
@@ -115,9 +95,8 @@ static void test_alignment(void **state)
         }
 }
 
-static void test_bytes(void **state)
+CASE(test_bytes)
 {
-    (void)state;
     size_t last = tribox_index_bytes(0);
     assert_int_equal(last, tribox_index_bytes(1));
     assert_in_range(last, 1600, 4096);
@@ -136,12 +115,4 @@ static void test_bytes(void **state)
     assert_true(tribox_index_bytes(SIZE_MAX) >= last);
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_counts),    cmocka_unit_test(test_dirt),  cmocka_unit_test(test_dirt_in_a_word),
-        cmocka_unit_test(test_alignment), cmocka_unit_test(test_bytes),
-    };
-    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
-}
+PROGRAM_AFTER(make_all, RUN(test_counts), RUN(test_dirt), RUN(test_dirt_in_a_word), RUN(test_alignment), RUN(test_bytes))

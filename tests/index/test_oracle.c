@@ -1,38 +1,20 @@
 /* test_oracle.c - what an index finds is true: an oracle that knows neither indices nor kernels says what overlaps in scenes. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/kernels_here.h"
+#include "common/harness.h"
 #include "common/oracle.h"
 #include "hostile.h"
 
 enum { WORDS = (SCENE_TRIANGLES + 63) / 64, PAIRS = 100000, ROUNDS = 12 };
 
-static arguments args;
 static stored_soup stored;
 
-static int make_all(void **state)
+static int make_all(void)
 {
-    (void)state;
     stored = stored_soup_make(SCENE_TRIANGLES);
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
     return 0;
 }
 
 static void check_by_oracle(const scene_batch *batch, unsigned axes, const char *name)
 {
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     uint64_t truth[WORDS] = {0}, mask[WORDS];
     for (int t = 0; t < SCENE_TRIANGLES; t++) {
         const pair_f32 pair = scene_pair(batch, t);
@@ -48,10 +30,8 @@ static void check_by_oracle(const scene_batch *batch, unsigned axes, const char 
     }
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
@@ -64,9 +44,4 @@ static void test_scenes(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_scenes)};
-    return cmocka_run_group_tests(tests, make_all, free_all);
-}
+PROGRAM_AFTER(make_all, RUN(test_scenes))

@@ -4,24 +4,14 @@
  */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/kernels_here.h"
+#include "common/harness.h"
 #include "dispatch.h"
 #include "base/environment.h"
 #include "order_kinds.h"
 #include "order/sort_keys.h"
 #include "tribox_threads.h"
-
-static arguments args;
 
 static void order_by(const char *name, const order_room *room)
 {
@@ -36,8 +26,6 @@ static void order_by(const char *name, const order_room *room)
 
 static void check_kind(random_source *r, order_kind kind, size_t count)
 {
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     order_room room = order_room_make(r, kind, count);
     uint32_t *const expected = malloc(4 * count + 1), *const first = malloc(4 * count + 1);
     snprintf(doing, sizeof doing, "%zu triangles, %s", count, order_kind_names[kind]);
@@ -59,11 +47,9 @@ static void check_kind(random_source *r, order_kind kind, size_t count)
     order_room_free(&room);
 }
 
-static void test_words(void **state)
+CASE(test_words)
 {
     static const size_t counts[] = {0, 1, 2, 17, 63, 64, 65, 127, 128, 129, 200, 1023, 1100, 2047, 2049, 4095, 4096, 4097, 9000};
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "words");
     for (order_kind kind = 0; kind < ORDER_KINDS; kind++)
         for (size_t c = 0; c < sizeof counts / sizeof *counts; c++)
@@ -71,9 +57,8 @@ static void test_words(void **state)
 }
 
 /* About the next power of 64, and where more samples are drawn. */
-static void test_large(void **state)
+CASE(test_large)
 {
-    (void)state;
     random_source r = random_named(args.seed, "large");
     if (args.pairs >= 100000) /* not with --short */
         check_kind(&r, KIND_RANDOM, 262145);
@@ -82,9 +67,8 @@ static void test_large(void **state)
     check_kind(&r, KIND_ALL_SCALES, 30000);
 }
 
-static void test_boxes_and_meshes(void **state)
+CASE(test_boxes_and_meshes)
 {
-    (void)state;
     random_source r = random_named(args.seed, "forms");
     for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
         const size_t count = (size_t)random_int_between(&r, 1, 1500);
@@ -164,7 +148,7 @@ static double sides_of(double (*u)[3][3], size_t count, const uint32_t *order)
 }
 
 /* Neither strays nor the unit of length make the order of doubles worse. Finite ones come before all others. */
-static void test_doubles(void **state)
+CASE(test_doubles)
 {
     enum { COUNT = 20000 };
     static const struct {
@@ -173,7 +157,6 @@ static void test_doubles(void **state)
     } strays[] = {{COUNT, 1e12}, {COUNT, -1e300}, {5, 1e12}, {5, -1e40}, {7, DBL_MAX}};
     static double u[COUNT][3][3], scaled[COUNT][3][3];
     static uint32_t order[COUNT], other[COUNT];
-    (void)state;
     random_source r = random_named(args.seed, "doubles");
     draw_cloud(&r, COUNT, u);
     sort_doubles(u, COUNT, order);
@@ -215,10 +198,9 @@ static double seconds_of(const order_room *room)
 }
 
 /* What is quadratic would take a thousand times as long. */
-static void test_time(void **state)
+CASE(test_time)
 {
     enum { COUNT = 60000, TIMES = 10 };
-    (void)state;
     random_source r = random_named(args.seed, "time");
     double random = 0;
     for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
@@ -231,9 +213,8 @@ static void test_time(void **state)
     }
 }
 
-static void test_arguments(void **state)
+CASE(test_arguments)
 {
-    (void)state;
     const float number[3] = {0, 1, 2};
     float scratch[8];
     uint32_t order[2] = {77, 78};
@@ -261,13 +242,4 @@ static void test_arguments(void **state)
     assert_int_equal(tribox_soup_sort(&soup, NULL, NULL), TRIBOX_OK);
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_words),   cmocka_unit_test(test_large),
-        cmocka_unit_test(test_time),    cmocka_unit_test(test_boxes_and_meshes),
-        cmocka_unit_test(test_doubles), cmocka_unit_test(test_arguments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_words), RUN(test_large), RUN(test_time), RUN(test_boxes_and_meshes), RUN(test_doubles), RUN(test_arguments))

@@ -1,21 +1,10 @@
 /* test_order_digests.c - the order of a soup is the same in every floating-point environment, and on every processor. */
-#include <inttypes.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/float_environment.h"
 #include "order_kinds.h"
 
-static arguments args;
-
-static void test_environments(void **state)
+CASE(test_environments)
 {
-    (void)state;
     random_source r = random_named(args.seed, "environments");
     static const order_kind kinds[] = {KIND_SUBNORMAL, KIND_ALL_SCALES, KIND_GREATEST};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
@@ -56,9 +45,8 @@ static const uint64_t digests[ORDER_KINDS] = {
     UINT64_C(0x775b731a065900ad), UINT64_C(0x99fc645060cfbe69), UINT64_C(0x01e76026ee77b409), UINT64_C(0x9c7354221f9f13fd),
     UINT64_C(0x5b35d2f40009d715)};
 
-static void test_digests(void **state)
+CASE(test_digests)
 {
-    (void)state;
     for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
         random_source r = random_named(1, order_kind_names[kind]);
         order_room room = order_room_make(&r, kind, 5000);
@@ -70,9 +58,4 @@ static void test_digests(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_digests), cmocka_unit_test(test_environments)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_digests), RUN(test_environments))

@@ -4,20 +4,13 @@
  */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/thread_stack.h"
 #include "order_kinds.h"
 #include "tribox_threads.h"
 
 enum { COUNT = 20000, PARTS = 8, SHARE = (COUNT + PARTS - 1) / PARTS };
-
-static arguments args;
 
 /* What a thread does: a part of the start, or all of a part from its cut on, handing on the second half. */
 typedef struct task {
@@ -54,10 +47,8 @@ static void *finish(void *argument)
     return NULL;
 }
 
-static void test_threads(void **state)
+CASE(test_threads)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "threads");
     static uint32_t expected[COUNT];
     for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
@@ -93,9 +84,8 @@ static void cut_to_words(const order_room *room, size_t first, size_t count)
         assert_int_equal(tribox_sort_finish(room->scratch, room->soup.count, first, count, room->order), TRIBOX_OK);
 }
 
-static void test_by_hand(void **state)
+CASE(test_by_hand)
 {
-    (void)state;
     random_source r = random_named(args.seed, "by hand");
     uint32_t expected[4200];
     for (size_t count = 1; count <= 4200; count += 1 + (size_t)random_int(&r, 600)) {
@@ -113,9 +103,8 @@ static void test_by_hand(void **state)
     }
 }
 
-static void test_arguments(void **state)
+CASE(test_arguments)
 {
-    (void)state;
     random_source r = random_named(args.seed, "arguments");
     enum { FEW = 100 };
     order_room room = order_room_make(&r, KIND_RANDOM, FEW);
@@ -157,10 +146,9 @@ static void *order_all(void *argument)
     return NULL;
 }
 
-static void test_stack(void **state)
+CASE(test_stack)
 {
     enum { STATED = 64 * 1024 };
-    (void)state;
     if (!is_ordinary_build())
         skip();
     random_source r = random_named(args.seed, "stack");
@@ -171,10 +159,4 @@ static void test_stack(void **state)
         fail_msg("%zu bytes of stack, %d are stated", taken, STATED);
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_threads), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_stack),
-                                       cmocka_unit_test(test_arguments)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_threads), RUN(test_by_hand), RUN(test_stack), RUN(test_arguments))

@@ -2,23 +2,15 @@
  * test_rank.c - the key of a rank by counting bits, which no input is likely to need, is that by sorting, and that by samples; and
  * samples find it, however many keys there are.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "scalar/vec_scalar.h"
 #include "base/bits.h"
 #include "kernel/nodes/rank.h"
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "order_kinds.h"
 
 enum { MOST = 3000 };
 
-static arguments args;
 static float middles[MOST];
 static uint32_t numbers[MOST];
 
@@ -30,9 +22,8 @@ static int by_image(const void *one, const void *other)
 
 static void demand_key(place_key key, uint64_t expected) { assert_int_equal(image_of_key(key), expected); }
 
-static void test_ranks(void **state)
+CASE(test_ranks)
 {
-    (void)state;
     random_source r = random_named(args.seed, "ranks");
     static uint64_t images[MOST];
     for (int round = 0; round < 300; round++) {
@@ -72,9 +63,8 @@ static void check_samples(random_source *r, size_t count, bool is_ordered)
     free(number);
 }
 
-static void test_samples(void **state)
+CASE(test_samples)
 {
-    (void)state;
     random_source r = random_named(args.seed, "samples");
     const size_t most = args.pairs >= 10000000 ? 10000000 : 3000000; /* more with --long */
     for (int is_ordered = 0; is_ordered < 2; is_ordered++) {
@@ -84,9 +74,4 @@ static void test_samples(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ranks), cmocka_unit_test(test_samples)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_ranks), RUN(test_samples))

@@ -1,26 +1,14 @@
 /* test_room.c - what is found is the same whatever room there is for it, and nothing is written beyond; boxes that find nothing. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "fences.h"
 #include "hostile.h"
 #include "index_fixture.h"
 
 enum { TRIANGLES = 5000, WORDS = (TRIANGLES + 63) / 64, BOXES = 7, LISTED = BOXES * TRIANGLES };
 
-static arguments args;
-
-static int make_all(void **state)
-{
-    (void)state;
-    return index_fixture_make(TRIANGLES, BOXES);
-}
+static int make_all(void) { return index_fixture_make(TRIANGLES, BOXES); }
 
 static uint32_t *numbers_of(fenced place) { return (uint32_t *)(void *)place.at; }
 static uint64_t *words_of(fenced place) { return (uint64_t *)(void *)place.at; }
@@ -144,11 +132,9 @@ static void check_lists_rooms(const tribox_boxes *boxes, const tribox_options *o
     }
 }
 
-static void test_rooms(void **state)
+CASE(test_rooms)
 {
-    (void)state;
     static const size_t counts[] = {0, 1, 64, 100, 4096, 4097, TRIANGLES};
-    catch_faults();
     random_source r = random_named(args.seed, "rooms");
     for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++)
         for (size_t turn = 0; turn < 3 * (size_t)kernels; turn++) {
@@ -169,10 +155,8 @@ static void test_rooms(void **state)
 }
 
 /* Boxes that are empty on an axis, by much or by an ulp, flat, or a point; about triangles that other boxes there would find. */
-static void test_thin_boxes(void **state)
+CASE(test_thin_boxes)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "thin boxes");
     for (int k = 0; k < kernels; k++) {
         stored_soup_lay(&stored, 4200, STORED_AT_END);
@@ -202,11 +186,9 @@ static void test_thin_boxes(void **state)
 }
 
 /* A bound that is NaN or infinite makes an empty list in between, and so does an empty box. */
-static void test_boxes_without_lists(void **state)
+CASE(test_boxes_without_lists)
 {
-    (void)state;
     static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
-    catch_faults();
     random_source r = random_named(args.seed, "boxes without lists");
     for (int k = 0; k < kernels; k++)
         for (int kind = 0; kind < 5 * 6; kind++) {
@@ -230,13 +212,4 @@ static void test_boxes_without_lists(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rooms),
-        cmocka_unit_test(test_thin_boxes),
-        cmocka_unit_test(test_boxes_without_lists),
-    };
-    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
-}
+PROGRAM_AFTER(make_all, RUN(test_rooms), RUN(test_thin_boxes), RUN(test_boxes_without_lists))

@@ -1,40 +1,22 @@
 /* test_threads.c - threads that build an index in ranges, as one would; for the thread sanitizer. */
 #include <pthread.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/kernels_here.h"
+#include "common/harness.h"
 #include "hostile.h"
 #include "stored_mesh.h"
 
 enum { COUNT = 40 * TRIBOX_INDEX_BLOCK + 77, THREADS = 6 };
 
-static arguments args;
 static stored_soup stored;
 static stored_mesh mesh;      /* of the same triangles, in double, in every other round */
 static unsigned char *shared; /* an index that threads write */
 static guarded fence;
 
-static int make_all(void **state)
+static int make_all(void)
 {
-    (void)state;
     stored = stored_soup_make(COUNT);
     mesh = stored_mesh_make(COUNT);
     fence = guarded_make(tribox_index_bytes(COUNT));
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
-    stored_mesh_free(&mesh);
-    guarded_free(fence);
     return 0;
 }
 
@@ -86,11 +68,8 @@ static void draw(random_source *r, bool is_mesh)
     shared = guarded_tail(fence, stored_index_bytes(&stored));
 }
 
-static void test_build(void **state)
+CASE(test_build)
 {
-    (void)state;
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     random_source r = random_named(args.seed, "build");
     for (int k = -1; k < kernels; k++) { /* -1: chosen by all threads at once */
         draw(&r, k % 2);
@@ -105,9 +84,4 @@ static void test_build(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_build)};
-    return cmocka_run_group_tests(tests, make_all, free_all);
-}
+PROGRAM_AFTER(make_all, RUN(test_build))

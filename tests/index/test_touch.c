@@ -6,25 +6,14 @@
  */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "hostile.h"
 #include "index_fixture.h"
 
 enum { COUNT = 64 * TRIBOX_INDEX_BLOCK + 64, FACES = 6 };
 
-static arguments args;
-
-static int make_all(void **state)
-{
-    (void)state;
-    return index_fixture_make(COUNT, 1);
-}
+static int make_all(void) { return index_fixture_make(COUNT, 1); }
 
 /* A part of the soup that is one word or one whole node of some level. */
 typedef struct part {
@@ -123,10 +112,8 @@ static void check_part(random_source *r, const part *p, size_t count, const floa
 static const float here[3] = {5, -20, 33}, about_zero[3] = {0, 0, 0}, at_zero[3] = {4, -4, 4};
 
 /* Each of the 64 words of a node, in its place in every vector; the other node is far away. */
-static void test_each_word(void **state)
+CASE(test_each_word)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "each word");
     for (size_t word = 0; word < 64; word++) {
         const part p = {64 * word, 64};
@@ -135,10 +122,8 @@ static void test_each_word(void **state)
 }
 
 /* Bounds at the ends of the range: subnormal, and next to FLT_MAX. */
-static void test_ends_of_range(void **state)
+CASE(test_ends_of_range)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "ends of range");
     const part p = {128, 64};
     check_part(&r, &p, 1000, here, 0x1p-149f);
@@ -148,10 +133,8 @@ static void test_ends_of_range(void **state)
 }
 
 /* Nodes of the second and the third level. */
-static void test_nodes(void **state)
+CASE(test_nodes)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "nodes");
     const part second = {TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK}, third = {0, 64 * TRIBOX_INDEX_BLOCK};
     check_part(&r, &second, 3 * TRIBOX_INDEX_BLOCK, here, 1);
@@ -159,11 +142,9 @@ static void test_nodes(void **state)
 }
 
 /* A zero of one sign is the other one's neighbour in nothing: they touch. */
-static void test_zeros(void **state)
+CASE(test_zeros)
 {
-    (void)state;
     const part p = {64, 64};
-    catch_faults();
     random_source r = random_named(args.seed, "zeros");
     for (int signs = 0; signs < 8; signs++)
         for (int face = 0; face < FACES; face++)
@@ -186,10 +167,8 @@ static void test_zeros(void **state)
 }
 
 /* Triangles that reach beyond the others of a word, were it not for a number that is none: the word's bounds are without them. */
-static void test_dirt(void **state)
+CASE(test_dirt)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "dirt");
     for (size_t word = 0; word < 64; word += 7)
         for (int k = 0; k < kernels; k++) {
@@ -212,12 +191,4 @@ static void test_dirt(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_word), cmocka_unit_test(test_ends_of_range), cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_zeros),     cmocka_unit_test(test_dirt),
-    };
-    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
-}
+PROGRAM_AFTER(make_all, RUN(test_each_word), RUN(test_ends_of_range), RUN(test_nodes), RUN(test_zeros), RUN(test_dirt))

@@ -2,41 +2,19 @@
  * test_update.c - an index that is brought up to date, in one range or in many, is byte for byte the one that is built; and every
  * kernel builds the same bytes.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/kernels_here.h"
+#include "common/harness.h"
 #include "fences.h"
 #include "hostile.h"
 
 enum { COUNT_MAX = 64 * TRIBOX_INDEX_BLOCK + 100, PAIRS = 100000, ROUNDS = 36 };
 
-static arguments args;
 static stored_soup stored;
 static guarded fence; /* of the index that is updated */
-static const char *names[KERNELS_MAX];
-static int kernels;
 
-static int make_all(void **state)
+static int make_all(void)
 {
-    (void)state;
-    kernels = kernels_here(names);
     stored = stored_soup_make(COUNT_MAX);
     fence = guarded_make(tribox_index_bytes(COUNT_MAX) + STORED_SHIFTS);
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
-    guarded_free(fence);
     return 0;
 }
 
@@ -87,11 +65,9 @@ static void demand_as_built(const fenced *index, const char *kernel)
 }
 
 /* Every byte is written, whatever stood there, and by every kernel alike. */
-static void test_kernels(void **state)
+CASE(test_kernels)
 {
-    (void)state;
     static const size_t counts[] = {0, 1, 3, 63, 64, 65, 100, 4095, 4096, 4097, 5000, 9000};
-    catch_faults();
     random_source r = random_named(args.seed, "kernels");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw(&r, counts[round % (sizeof counts / sizeof counts[0])]);
@@ -108,11 +84,9 @@ static void test_kernels(void **state)
 }
 
 /* Every range of a short soup. */
-static void test_every_range(void **state)
+CASE(test_every_range)
 {
-    (void)state;
     enum { COUNT = 150 };
-    catch_faults();
     random_source r = random_named(args.seed, "every range");
     draw(&r, COUNT);
     for (size_t first = 0; first <= COUNT; first++)
@@ -154,11 +128,9 @@ static void check_range(random_source *r)
     demand_as_built(&index, names[0]);
 }
 
-static void test_ranges(void **state)
+CASE(test_ranges)
 {
-    (void)state;
     static const size_t counts[] = {4096, 4097, 8191, 8192, 3 * 4096 + 17, 5 * 4096 + 64};
-    catch_faults();
     random_source r = random_named(args.seed, "ranges");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw(&r, counts[round % (sizeof counts / sizeof counts[0])]);
@@ -168,10 +140,8 @@ static void test_ranges(void **state)
 }
 
 /* Three levels, and blocks of them in any order over memory that was never an index. */
-static void test_blocks(void **state)
+CASE(test_blocks)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "blocks");
     draw(&r, COUNT_MAX);
     const size_t blocks = (COUNT_MAX + TRIBOX_INDEX_BLOCK - 1) / TRIBOX_INDEX_BLOCK;
@@ -197,11 +167,9 @@ static void test_blocks(void **state)
 }
 
 /* The whole soup in one range is a build. */
-static void test_whole(void **state)
+CASE(test_whole)
 {
-    (void)state;
     static const size_t counts[] = {0, 1, 64, 4095, 4096, 4097, 70000};
-    catch_faults();
     random_source r = random_named(args.seed, "whole");
     for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++)
         for (int k = 0; k < kernels; k++) {
@@ -212,12 +180,4 @@ static void test_whole(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_kernels), cmocka_unit_test(test_every_range), cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_blocks),  cmocka_unit_test(test_whole),
-    };
-    return cmocka_run_group_tests(tests, make_all, free_all);
-}
+PROGRAM_AFTER(make_all, RUN(test_kernels), RUN(test_every_range), RUN(test_ranges), RUN(test_blocks), RUN(test_whole))

@@ -1,11 +1,6 @@
 #include "fences.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "common/harness.h"
 
 /* Far enough to be no neighbour: a fence may be large, and is looked at very often. */
 enum { NEIGHBOURS = 1024 };

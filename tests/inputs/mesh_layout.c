@@ -31,16 +31,6 @@ mesh_fences mesh_fences_make(uint64_t seed)
     return f;
 }
 
-void mesh_fences_free(mesh_fences f)
-{
-    guarded_free(f.positions);
-    guarded_free(f.indices);
-    for (int s = 0; s < 9; s++)
-        guarded_free(f.stream[s]);
-    guarded_free(f.mask);
-    guarded_free(f.report);
-}
-
 static unsigned char *place(guarded g, size_t bytes, const layout *l)
 {
     return l->is_at_end ? (unsigned char *)guarded_tail(g, bytes) - l->shift : g.first + l->shift;

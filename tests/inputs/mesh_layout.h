@@ -44,7 +44,6 @@ typedef struct mesh_fences {
 enum { LAID_WORDS = LAID_TRIANGLES / 64 + 1 };
 
 mesh_fences mesh_fences_make(uint64_t seed);
-void mesh_fences_free(mesh_fences f);
 
 /* Draws positions and indices, with a NaN, an infinity or a subnormal here and there. Valid until the next mesh is laid. */
 tribox_mesh mesh_lay(random_source *r, const layout *l, mesh_fences f);

@@ -2,40 +2,21 @@
  * test_any_all.c - the first triangle that overlaps, and the first that does not, wherever it stands; the search ends there.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "drawn_pairs.h"
 #include "fences.h"
-#include "common/kernels_here.h"
 #include "common/guarded_pages.h"
 
-static arguments args;
 static drawn_numbers numbers;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static guarded fence[SOUP_STREAMS];
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
 
-static int set_up(void **state)
+static int set_up(void)
 {
-    (void)state;
     for (int s = 0; s < SOUP_STREAMS; s++)
         fence[s] = guarded_make(DRAWN_MAX * sizeof(float));
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    for (int s = 0; s < SOUP_STREAMS; s++)
-        guarded_free(fence[s]);
     return 0;
 }
 
@@ -85,10 +66,8 @@ static void check_kernels(const pair_list *q)
             check_against_mask(q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         const pair_list all = draw_pairs(&r, scene_at(i), true, &numbers);
@@ -102,11 +81,9 @@ static void test_scenes(void **state)
 }
 
 /* Sets of axes and orders: they decide what overlaps. */
-static void test_axes(void **state)
+CASE(test_axes)
 {
-    (void)state;
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
-    catch_faults();
     random_source r = random_named(args.seed, "axes");
     const pair_list all = draw_pairs(&r, scene_at(0), true, &numbers);
     for (size_t first = 0; first < all.count; first++) {
@@ -160,19 +137,9 @@ static void check_one_unlike(float usual, float other)
     }
 }
 
-static void test_one_hit(void **state)
-{
-    (void)state;
-    catch_faults();
-    check_one_unlike(3, 0);
-}
+CASE(test_one_hit) { check_one_unlike(3, 0); }
 
-static void test_one_miss(void **state)
-{
-    (void)state;
-    catch_faults();
-    check_one_unlike(0, 3);
-}
+CASE(test_one_miss) { check_one_unlike(0, 3); }
 
 /* A triangle that is not finite overlaps nothing: any goes past it, and all stops at it. */
 static void check_not_finite(size_t count, size_t at, int stream, float usual, tribox_find_what what, size_t expected)
@@ -186,10 +153,8 @@ static void check_not_finite(size_t count, size_t at, int stream, float usual, t
         expect(what, &q, &(tribox_options){.accuracy = (tribox_accuracy)(at % 3), .kernel = names[k]}, expected);
 }
 
-static void test_not_finite(void **state)
+CASE(test_not_finite)
 {
-    (void)state;
-    catch_faults();
     for (size_t count = 1; count <= 140; count += 1 + count / 9)
         for (size_t at = 0; at < count; at++)
             for (int stream = 0; stream < SOUP_STREAMS; stream++) {
@@ -199,11 +164,9 @@ static void test_not_finite(void **state)
 }
 
 /* Nothing overlaps the empty box; and no triangle is there to differ in an empty soup. */
-static void test_empty(void **state)
+CASE(test_empty)
 {
-    (void)state;
     static const tribox_box empty = {{0, 0, 1}, {1, 1, 0}};
-    catch_faults();
     for (size_t i = 0; i < 200; i++)
         put(i, 0);
     for (int k = 0; k < kernels; k++)
@@ -221,12 +184,10 @@ static void test_empty(void **state)
 }
 
 /* Streams that could not be read to their end: they are not. */
-static void test_stops(void **state)
+CASE(test_stops)
 {
-    (void)state;
     enum { READABLE = 65536 };
     const size_t count = (size_t)1 << 22, bytes = count * sizeof(float);
-    catch_faults();
     for (int k = 0; k < kernels; k++)
         for (size_t at = 0; at < 4096; at = 3 * at + 1) {
             pair_list q = {.count = count, .box = &cube};
@@ -246,14 +207,5 @@ static void test_stops(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    kernels = kernels_here(names);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scenes),   cmocka_unit_test(test_axes),  cmocka_unit_test(test_one_hit),
-        cmocka_unit_test(test_one_miss), cmocka_unit_test(test_empty), cmocka_unit_test(test_not_finite),
-        cmocka_unit_test(test_stops),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+PROGRAM_AFTER(set_up, RUN(test_scenes), RUN(test_axes), RUN(test_one_hit), RUN(test_one_miss), RUN(test_empty),
+              RUN(test_not_finite), RUN(test_stops))

@@ -1,21 +1,9 @@
 /* test_bad_indices.c - an index that names no vertex is reported, counted and found wherever it stands, and nothing is written. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "dispatch.h"
 #include "fences.h"
 #include "mesh_layout.h"
-#include "common/kernels_here.h"
 #include "common/guarded_pages.h"
-
-static arguments args;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static mesh_fences fences;
 
@@ -128,11 +116,9 @@ static tribox_mesh any_mesh(random_source *r, size_t count, unsigned index_bytes
 }
 
 /* Each corner in turn. */
-static void test_each_corner(void **state)
+CASE(test_each_corner)
 {
-    (void)state;
     static const size_t counts[] = {1, 2, 3, 17, 63, 64, 65, 66, 130};
-    catch_faults();
     random_source r = random_named(args.seed, "each corner");
     for (unsigned bytes = 2; bytes <= 4; bytes += 2)
         for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
@@ -143,10 +129,8 @@ static void test_each_corner(void **state)
 }
 
 /* About the ends of blocks, whatever they are. */
-static void test_edges_of_blocks(void **state)
+CASE(test_edges_of_blocks)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "edges of blocks");
     for (unsigned bytes = 2; bytes <= 4; bytes += 2)
         for (size_t block = 256; block <= 4096; block *= 2) {
@@ -158,10 +142,8 @@ static void test_edges_of_blocks(void **state)
 }
 
 /* Any number of bad indices, all of them included. */
-static void test_many(void **state)
+CASE(test_many)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "many");
     for (unsigned bytes = 2; bytes <= 4; bytes += 2)
         for (int times = 0; times < 200; times++) {
@@ -181,10 +163,8 @@ static void test_many(void **state)
 }
 
 /* Without indices it is the vertices that are too few. */
-static void test_too_few_vertices(void **state)
+CASE(test_too_few_vertices)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "too few");
     for (size_t count = 1; count <= 200; count++) {
         tribox_mesh mesh = any_mesh(&r, count, 0);
@@ -213,9 +193,8 @@ static void answer_in_parts(const tribox_mesh *mesh, const char *kernel, uint64_
 }
 
 /* So many triangles that all indices are checked before any is answered, and one less: nothing is written either way. */
-static void test_very_many(void **state)
+CASE(test_very_many)
 {
-    (void)state;
     enum { VERTICES = 999, MANY = 131072, WORDS = MANY / 64 + 2 };
     static uint64_t mask[WORDS], want[WORDS], poison[WORDS];
     static uint16_t indices[3 * (MANY + 65)];
@@ -247,10 +226,8 @@ static void test_very_many(void **state)
 }
 
 /* No vertex at all: every index is bad. */
-static void test_no_vertices(void **state)
+CASE(test_no_vertices)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "no vertices");
     for (unsigned bytes = 0; bytes <= 4; bytes += 2) {
         tribox_mesh mesh = any_mesh(&r, 70, bytes);
@@ -265,10 +242,8 @@ static void test_no_vertices(void **state)
 }
 
 /* A count that is garbage, without indices: what is missing can be told without a look at each corner. */
-static void test_garbage_count(void **state)
+CASE(test_garbage_count)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "garbage count");
     tribox_mesh mesh = any_mesh(&r, 10, 0);
     mesh.vertices = 30;
@@ -278,9 +253,8 @@ static void test_garbage_count(void **state)
 
 #if SIZE_MAX > 0xffffffffu
 /* Corners without indices whose numbers are those of vertices but for what 32 bits cut off: an index may lead to any triangle. */
-static void test_corners_beyond_32_bits(void **state)
+CASE(test_corners_beyond_32_bits)
 {
-    (void)state;
     static const float positions[4 * 80];
     for (unsigned bytes = 4; bytes <= 8; bytes += 4)
         for (size_t first = ((size_t)1 << 32) / 3 - 1; first < ((size_t)1 << 32) / 3 + 2; first++) {
@@ -300,14 +274,12 @@ static size_t page_of(size_t byte, size_t page) { return byte / page * page; }
  * As many vertices as 32 bits can name, of which a few lie in memory that may be touched: neither numbers nor places are ever taken
  * for signed, or for narrower than they are.
  */
-static void test_greatest_numbers(void **state)
+CASE(test_greatest_numbers)
 {
-    (void)state;
     static const uint32_t number[] = {0,          1,          0x15555555, 0x2aaaaaaa, 0x55555555, 0x7fffffff,
                                       0x80000000, 0x80000001, 0xaaaaaaaa, 0xd5555555, 0xfffffffe, 0xffffffff};
     enum { NUMBERS = sizeof number / sizeof number[0], CORNERS = 3 * 150 };
     const size_t page = page_size(), vertices = (size_t)1 << 32, bytes = 12 * vertices;
-    catch_faults();
     unsigned char *const all = pages_reserve(bytes);
     if (!all) {
         print_message("no %zu bytes of addresses here\n", bytes);
@@ -347,36 +319,17 @@ static void test_greatest_numbers(void **state)
     pages_release(all, bytes);
 }
 #else
-static void test_corners_beyond_32_bits(void **state)
-{
-    (void)state;
-    skip();
-}
+CASE(test_corners_beyond_32_bits) { skip(); }
 
-static void test_greatest_numbers(void **state)
-{
-    (void)state;
-    skip();
-}
+CASE(test_greatest_numbers) { skip(); }
 #endif
 
-int main(int argc, char **argv)
+static int set_up(void)
 {
-    args = arguments_parse(argc, argv);
-    kernels = kernels_here(names);
     fences = mesh_fences_make(args.seed);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_corner),
-        cmocka_unit_test(test_edges_of_blocks),
-        cmocka_unit_test(test_many),
-        cmocka_unit_test(test_too_few_vertices),
-        cmocka_unit_test(test_no_vertices),
-        cmocka_unit_test(test_greatest_numbers),
-        cmocka_unit_test(test_garbage_count),
-        cmocka_unit_test(test_very_many),
-        cmocka_unit_test(test_corners_beyond_32_bits),
-    };
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    mesh_fences_free(fences);
-    return failed;
+    return 0;
 }
+
+PROGRAM_AFTER(set_up, RUN(test_each_corner), RUN(test_edges_of_blocks), RUN(test_many), RUN(test_too_few_vertices),
+              RUN(test_no_vertices), RUN(test_greatest_numbers), RUN(test_garbage_count), RUN(test_very_many),
+              RUN(test_corners_beyond_32_bits))

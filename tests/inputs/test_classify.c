@@ -4,42 +4,21 @@
  */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "drawn_pairs.h"
 #include "fences.h"
-#include "common/kernels_here.h"
 
-static arguments args;
 static drawn_numbers numbers;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static guarded stream_fence[SOUP_STREAMS], mask_fence, inside_fence;
 
-static int set_up(void **state)
+static int set_up(void)
 {
-    (void)state;
     for (int s = 0; s < SOUP_STREAMS; s++)
         stream_fence[s] = guarded_make(DRAWN_MAX * sizeof(float));
     mask_fence = guarded_make(DRAWN_WORDS * sizeof(uint64_t));
     inside_fence = guarded_make(DRAWN_WORDS * sizeof(uint64_t));
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    for (int s = 0; s < SOUP_STREAMS; s++)
-        guarded_free(stream_fence[s]);
-    guarded_free(mask_fence);
-    guarded_free(inside_fence);
     return 0;
 }
 
@@ -153,11 +132,9 @@ static pair_list draw_lattice(random_source *r, const tribox_box *box, size_t co
 
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
 
-static void test_every_count(void **state)
+CASE(test_every_count)
 {
-    (void)state;
     static const size_t large[] = {511, 512, 513, 4095, 4096, 4097, 4160, 8193, 10000};
-    catch_faults();
     random_source r = random_named(args.seed, "every count");
     const pair_list all = draw_lattice(&r, &cube, DRAWN_MAX);
     for (size_t count = 0; count <= 200; count++)
@@ -172,11 +149,9 @@ static void test_every_count(void **state)
     }
 }
 
-static void test_axes(void **state)
+CASE(test_axes)
 {
-    (void)state;
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
-    catch_faults();
     random_source r = random_named(args.seed, "axes");
     const pair_list q = draw_lattice(&r, &cube, 150);
     for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
@@ -189,10 +164,8 @@ static void test_axes(void **state)
 }
 
 /* The whole range of floats: FAST must not lose what is inside either. */
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         for (int round = 0; round < 3; round++) {
@@ -203,10 +176,8 @@ static void test_scenes(void **state)
 }
 
 /* Scenes where most is inside: the vertices moved to the nearest points of the box, some of them beside it by one ulp. */
-static void test_scenes_clamped(void **state)
+CASE(test_scenes_clamped)
 {
-    (void)state;
-    catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         for (int round = 0; round < 3; round++) {
@@ -242,11 +213,9 @@ static const tribox_box special[] = {
  * Each of the 18 comparisons decides a triangle alone: its vertices are corners of the box, but for one number, which is beside
  * one bound by an ulp, infinite or NaN. The triangles around it, to both sides, are inside.
  */
-static void test_each_comparison(void **state)
+CASE(test_each_comparison)
 {
-    (void)state;
     enum { KINDS = 4, COUNT = 6 * 6 * KINDS + 37 };
-    catch_faults();
     random_source r = random_named(args.seed, "each comparison");
     for (size_t b = 0; b < sizeof special / sizeof special[0]; b++)
         for (size_t spread = 1; spread <= 5; spread++) {
@@ -271,14 +240,4 @@ static void test_each_comparison(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    kernels = kernels_here(names);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_count),     cmocka_unit_test(test_axes),
-        cmocka_unit_test(test_scenes),          cmocka_unit_test(test_scenes_clamped),
-        cmocka_unit_test(test_each_comparison),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+PROGRAM_AFTER(set_up, RUN(test_every_count), RUN(test_axes), RUN(test_scenes), RUN(test_scenes_clamped), RUN(test_each_comparison))

@@ -4,22 +4,11 @@
  * Positions and indices end at a page that cannot be touched, or begin at one.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "fences.h"
 #include "mesh_layout.h"
 #include "pair_list.h"
-#include "common/kernels_here.h"
-
-static arguments args;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static mesh_fences fences;
 
@@ -133,12 +122,10 @@ static void check_mesh(random_source *r, const tribox_mesh *mesh, int place)
 static const unsigned index_sizes[] = {0, 2, 4};
 
 /* Every small count in every stride; patterns, places and alignments change from one to the next. */
-static void test_small_counts(void **state)
+CASE(test_small_counts)
 {
-    (void)state;
     static const size_t strides[] = {0, 12, 13, 15, 16, 20, 24, 32, 36, 4096, 4099};
     const size_t step = arguments_are_short(&args) ? 7 : 1; /* 33 starts of every seven: every count all the same */
-    catch_faults();
     random_source r = random_named(args.seed, "small counts");
     for (size_t s = 0; s < sizeof strides / sizeof strides[0]; s++)
         for (int b = 0; b < 3; b++)
@@ -156,13 +143,11 @@ static void test_small_counts(void **state)
 }
 
 /* Each pattern with nothing between the last vertex, the last index and the page after them. */
-static void test_patterns(void **state)
+CASE(test_patterns)
 {
-    (void)state;
     static const size_t counts[] = {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 32, 33, 63, 64, 65, 80, 127, 128, 129, 200};
     static const size_t strides[] = {12, 13, 16, 36};
     const size_t step = arguments_are_short(&args) ? 3 : 1;
-    catch_faults();
     random_source r = random_named(args.seed, "patterns");
     for (size_t s = 0; s < sizeof strides / sizeof strides[0]; s++)
         for (index_pattern pattern = 0; pattern < INDEX_PATTERNS; pattern++)
@@ -176,10 +161,8 @@ static void test_patterns(void **state)
 }
 
 /* Blocks of any power of two up to 4096, less one and more one. */
-static void test_edges_of_blocks(void **state)
+CASE(test_edges_of_blocks)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "edges of blocks");
     for (size_t block = 256; block <= 4096; block *= 2)
         for (size_t count = block - 1; count <= block + 1; count++)
@@ -197,12 +180,10 @@ static void test_edges_of_blocks(void **state)
 }
 
 /* Every range of a mesh that starts and ends anywhere in the first words. */
-static void test_ranges(void **state)
+CASE(test_ranges)
 {
-    (void)state;
     enum { COUNT = 150 };
     const size_t step = arguments_are_short(&args) ? 7 : 1;
-    catch_faults();
     random_source r = random_named(args.seed, "ranges");
     for (int b = 0; b < 3; b++) {
         const layout l = {COUNT, index_sizes[b], 12 + 4 * (size_t)b, PATTERN_ANY, b, b % 2};
@@ -216,10 +197,8 @@ static void test_ranges(void **state)
 }
 
 /* Words of triangles apart from the box, and others of which one vertex alone is not: nothing may be left out too much. */
-static void test_beside(void **state)
+CASE(test_beside)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "beside");
     for (int round = 0; round < (arguments_are_short(&args) ? 24 : 120); round++) {
         const layout l = {round % 4 ? (size_t)random_int_between(&r, 1, 700) : (size_t)random_int_between(&r, 4000, LAID_TRIANGLES),
@@ -242,10 +221,8 @@ static void test_beside(void **state)
 }
 
 /* A mesh without indices may have more vertices than it needs; 2-byte indices reach a part of a larger mesh. */
-static void test_more_vertices_than_named(void **state)
+CASE(test_more_vertices_than_named)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "more vertices");
     for (int b = 0; b < 3; b++) {
         const layout l = {LAID_TRIANGLES, index_sizes[b], 12, PATTERN_ANY, 0, false};
@@ -323,9 +300,8 @@ static void check_window(const tribox_soup *soup, tribox_mesh mesh, const tribox
 }
 
 /* Far more vertices than any room for what is known of each, or with 16-bit indices just as many. */
-static void test_windows(void **state)
+CASE(test_windows)
 {
-    (void)state;
     random_source r = random_named(args.seed, "windows");
     const tribox_box boxes_asked[] = {{{-0.3F, -0.4F, -0.7F}, {0.3F, 0.6F, 0.7F}}, {{-0.8F, -0.8F, -0.9F}, {0.9F, 0.8F, 0.8F}}};
     draw_window(&r);
@@ -349,21 +325,11 @@ static void test_windows(void **state)
     }
 }
 
-int main(int argc, char **argv)
+static int set_up(void)
 {
-    args = arguments_parse(argc, argv);
-    kernels = kernels_here(names);
     fences = mesh_fences_make(args.seed);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_counts),
-        cmocka_unit_test(test_patterns),
-        cmocka_unit_test(test_edges_of_blocks),
-        cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_more_vertices_than_named),
-        cmocka_unit_test(test_beside),
-        cmocka_unit_test(test_windows),
-    };
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    mesh_fences_free(fences);
-    return failed;
+    return 0;
 }
+
+PROGRAM_AFTER(set_up, RUN(test_small_counts), RUN(test_patterns), RUN(test_edges_of_blocks), RUN(test_ranges),
+              RUN(test_more_vertices_than_named), RUN(test_beside), RUN(test_windows))

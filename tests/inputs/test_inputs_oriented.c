@@ -3,26 +3,13 @@
  * oracle on every kernel, CONSERVATIVE never misses, FAST errs within its bound alone, and a mesh of floats is the soup bit by bit.
  */
 #include <float.h>
-#include <inttypes.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "doubles/laid_mesh.h"
 #include "exact/oriented/oriented.h"
 #include "oriented_oracle.h"
 #include "oriented_scenes.h"
-#include "common/kernels_here.h"
-
-static arguments args;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 enum { STREAMS = 9, WORDS = (ORIENTED_TRIANGLES + 63) / 64 };
 static guarded fence[STREAMS], mask_fence;
@@ -39,23 +26,26 @@ static bool is_mesh; /* which of the two is asked */
 /* What is true of it: the triangles that overlap, and those whose bounding box in the frame does. */
 static uint64_t overlapping[WORDS], bounds[WORDS];
 
-static int set_up(void **state)
+static bool is_scene_known(const char *name)
 {
-    (void)state;
+    for (int s = 0; s < ORIENTED_SCENES; s++)
+        if (!name || !strcmp(name, oriented_scenes[s].name))
+            return true;
+    fprintf(stderr, "no scene is called '%s'; there are:", name);
+    for (int s = 0; s < ORIENTED_SCENES; s++)
+        fprintf(stderr, " %s", oriented_scenes[s].name);
+    fprintf(stderr, "\n");
+    return false;
+}
+
+static int set_up(void)
+{
+    if (!is_scene_known(args.scenes))
+        return 2;
     for (int s = 0; s < STREAMS; s++)
         fence[s] = guarded_make(ORIENTED_TRIANGLES * sizeof(float));
     mask_fence = guarded_make(WORDS * sizeof(uint64_t));
     mesh_fence = laid_fences_make(args.seed);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    for (int s = 0; s < STREAMS; s++)
-        guarded_free(fence[s]);
-    guarded_free(mask_fence);
-    laid_fences_free(mesh_fence);
     return 0;
 }
 
@@ -326,10 +316,8 @@ static void check_scene(const oriented_scene *scene, oriented_form form)
         assert_in_range(hits, asked / 200, asked - asked / 200);
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    (void)state;
-    catch_faults();
     for (int s = 0; s < ORIENTED_SCENES; s++) {
         scene_name = oriented_scenes[s].name;
         is_ordinary = oriented_scenes[s].is_ordinary;
@@ -348,11 +336,9 @@ static void expect_none(const char *kernel)
 }
 
 /* Any negative half length, the least of them too, makes the box empty; a zero of either sign does not. */
-static void test_empty_boxes(void **state)
+CASE(test_empty_boxes)
 {
-    (void)state;
     static const double below[] = {-0x1p-1074, -0x1p-149, -1, -DBL_MAX};
-    catch_faults();
     scene_name = "empty";
     random_source r = random_named(args.seed, scene_name);
     for (int count = 0; count <= ORIENTED_TRIANGLES; count += 1 + count / 7)
@@ -368,10 +354,8 @@ static void test_empty_boxes(void **state)
 }
 
 /* Corners of the box, along each axis one ulp beyond, and one ulp within: each of six comparisons alone decides. */
-static void test_faces(void **state)
+CASE(test_faces)
 {
-    (void)state;
-    catch_faults();
     scene_name = "faces";
     is_ordinary = false;
     random_source r = random_named(args.seed, scene_name);
@@ -405,10 +389,8 @@ static void test_faces(void **state)
 }
 
 /* Triangles that reach far, among others: none is reported farther from contact because of another. */
-static void test_neighbours(void **state)
+CASE(test_neighbours)
 {
-    (void)state;
-    catch_faults();
     scene_name = "neighbours";
     is_ordinary = true;
     random_source r = random_named(args.seed, scene_name);
@@ -458,11 +440,9 @@ static void check_large(const tribox_options *options, size_t count)
     assert_in_range(report.undecided, 0, count);
 }
 
-static void test_large(void **state)
+CASE(test_large)
 {
-    (void)state;
     static const size_t counts[] = {255, 256, 257, 511, 512, 513, 576, 1023, 1024, 1025, 2111, 4095, 4096, 4097, 5000};
-    catch_faults();
     for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
         const oriented_scene *const s = &oriented_scenes[c % ORIENTED_SCENES];
         scene_name = s->name;
@@ -477,10 +457,8 @@ static void test_large(void **state)
 }
 
 /* The first triangles of a batch, as many as there are and fewer. */
-static void test_every_count(void **state)
+CASE(test_every_count)
 {
-    (void)state;
-    catch_faults();
     scene_name = oriented_scenes[0].name;
     is_ordinary = oriented_scenes[0].is_ordinary;
     random_source r = random_named(args.seed, "every count");
@@ -497,27 +475,5 @@ static void test_every_count(void **state)
         }
 }
 
-static bool is_scene_known(const char *name)
-{
-    for (int s = 0; s < ORIENTED_SCENES; s++)
-        if (!name || !strcmp(name, oriented_scenes[s].name))
-            return true;
-    fprintf(stderr, "no scene is called '%s'; there are:", name);
-    for (int s = 0; s < ORIENTED_SCENES; s++)
-        fprintf(stderr, " %s", oriented_scenes[s].name);
-    fprintf(stderr, "\n");
-    return false;
-}
-
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    if (!is_scene_known(args.scenes))
-        return 2;
-    kernels = kernels_here(names);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scenes),      cmocka_unit_test(test_empty_boxes), cmocka_unit_test(test_faces),
-        cmocka_unit_test(test_every_count), cmocka_unit_test(test_large),       cmocka_unit_test(test_neighbours),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+PROGRAM_AFTER(set_up, RUN(test_scenes), RUN(test_empty_boxes), RUN(test_faces), RUN(test_every_count), RUN(test_large),
+              RUN(test_neighbours))

@@ -1,34 +1,13 @@
 /* test_mask_indices.c - the set bits of a mask, and the set cells of a window, in order, and no bit past the count or a row. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
-#include "common/random_draws.h"
-#include "tribox.h"
-
-static arguments args;
+#include "common/harness.h"
 
 enum { WORDS = 200, COUNT_MAX = 64 * WORDS };
 static guarded mask_fence, index_fence;
 
-static int set_up(void **state)
+static int set_up(void)
 {
-    (void)state;
     mask_fence = guarded_make(WORDS * sizeof(uint64_t));
     index_fence = guarded_make(COUNT_MAX * sizeof(uint32_t[3]));
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    guarded_free(mask_fence);
-    guarded_free(index_fence);
     return 0;
 }
 
@@ -65,11 +44,9 @@ static void check(random_source *r, size_t count, int spread)
 }
 
 /* All bits set, none, and anything between. */
-static void test_every_count(void **state)
+CASE(test_every_count)
 {
-    (void)state;
     static const int spreads[] = {0, 1, 2, 3, 7, 64, 300};
-    catch_faults();
     random_source r = random_named(args.seed, "every count");
     for (size_t count = 0; count <= 300; count++)
         for (size_t s = 0; s < sizeof spreads / sizeof spreads[0]; s++)
@@ -80,10 +57,8 @@ static void test_every_count(void **state)
 }
 
 /* Each bit alone, and each bit alone past the count. */
-static void test_each_bit(void **state)
+CASE(test_each_bit)
 {
-    (void)state;
-    catch_faults();
     for (size_t bit = 0; bit < 192; bit++)
         for (size_t count = 0; count <= 192; count++) {
             uint64_t mask[3] = {0};
@@ -117,10 +92,8 @@ static void check_window(random_source *r, const uint32_t size[3], int spread)
         assert_memory_equal(cells, expected, set * sizeof *cells);
 }
 
-static void test_windows(void **state)
+CASE(test_windows)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "windows");
     for (uint32_t size = 0; size <= 200; size++)
         for (int spread = 0; spread < 5; spread++)
@@ -129,23 +102,12 @@ static void test_windows(void **state)
     assert_int_equal(tribox_window_cells(NULL, (const uint32_t[]){5, 0, 5}, NULL), 0);
 }
 
-static void test_nothing(void **state)
+CASE(test_nothing)
 {
-    (void)state;
     uint32_t index = 7;
     assert_int_equal(tribox_mask_indices(NULL, 0, NULL), 0);
     assert_int_equal(tribox_mask_indices(NULL, 0, &index), 0);
     assert_int_equal(index, 7);
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_count),
-        cmocka_unit_test(test_windows),
-        cmocka_unit_test(test_each_bit),
-        cmocka_unit_test(test_nothing),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+PROGRAM_AFTER(set_up, RUN(test_every_count), RUN(test_windows), RUN(test_each_bit), RUN(test_nothing))

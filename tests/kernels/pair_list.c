@@ -1,11 +1,6 @@
 #include "pair_list.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "common/harness.h"
 
 static const char *call_name(const pair_list *q) { return q->box ? "tribox_overlap" : "tribox_overlap_boxes"; }
 

@@ -3,19 +3,9 @@
  *
  * All streams, the mask, the report and the one box or triangle lie between pages that cannot be touched.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "drawn_pairs.h"
-#include "common/guard.h"
-#include "common/kernels_here.h"
 
-static arguments args;
 static drawn_numbers numbers;
 
 enum { ACCURACIES = TRIBOX_FAST + 1, POISON = 0xa5 };
@@ -29,9 +19,6 @@ static struct fences {
 
 /* What each pair gets when it is asked alone. */
 static uint64_t alone[KERNELS_MAX][ACCURACIES][DRAWN_WORDS];
-
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static void ask_each_alone(const pair_list *q)
 {
@@ -142,7 +129,6 @@ static void check_count(const pair_list *all, size_t count, int place)
 static void check_form(bool is_soup)
 {
     static const size_t large[] = {4095, 4096, 4097, 4159, 8192, 10000};
-    catch_faults();
     random_source r = random_named(args.seed, "batch");
     const pair_list all = draw_distinct_lanes(&r, is_soup, &numbers);
     ask_each_alone(&all);
@@ -155,23 +141,13 @@ static void check_form(bool is_soup)
             check_count(&all, large[k], place);
 }
 
-static void test_soup(void **state)
-{
-    (void)state;
-    check_form(true);
-}
+CASE(test_soup) { check_form(true); }
 
-static void test_boxes(void **state)
-{
-    (void)state;
-    check_form(false);
-}
+CASE(test_boxes) { check_form(false); }
 
 /* The count of what is not finite reads no more than its streams either. */
-static void test_not_finite(void **state)
+CASE(test_not_finite)
 {
-    (void)state;
-    catch_faults();
     snprintf(doing, sizeof doing, "tribox_soup_not_finite");
     random_source r = random_named(args.seed, "batch");
     const pair_list all = draw_distinct_lanes(&r, true, &numbers);
@@ -185,36 +161,14 @@ static void test_not_finite(void **state)
         }
 }
 
-static int make_fences(void **state)
+static int make_fences(void)
 {
-    (void)state;
     for (int s = 0; s < SOUP_STREAMS; s++)
         fence.stream[s] = guarded_make(sizeof numbers.stream[s] + 64);
     fence.one = guarded_make(sizeof numbers.triangle + 64);
     fence.mask = guarded_make(sizeof alone[0][0] + 64);
     fence.report = guarded_make(sizeof(tribox_report));
-    kernels = kernels_here(names);
     return 0;
 }
 
-static int free_fences(void **state)
-{
-    (void)state;
-    for (int s = 0; s < SOUP_STREAMS; s++)
-        guarded_free(fence.stream[s]);
-    guarded_free(fence.one);
-    guarded_free(fence.mask);
-    guarded_free(fence.report);
-    return 0;
-}
-
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_soup),
-        cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_not_finite),
-    };
-    return cmocka_run_group_tests(tests, make_fences, free_fences);
-}
+PROGRAM_AFTER(make_fences, RUN(test_soup), RUN(test_boxes), RUN(test_not_finite))

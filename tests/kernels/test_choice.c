@@ -2,21 +2,11 @@
  * test_choice.c - the order that is found while walking: what surveys see, which order follows, when the next is due; and that it
  * changes no answer.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "pairs/choice.h"
-#include "common/arguments.h"
-#include "common/guard.h"
-#include "common/kernels_here.h"
+#include "common/harness.h"
 #include "dispatch.h"
 #include "drawn_pairs.h"
 
-static arguments args;
 static drawn_numbers numbers;
 
 enum { PLANE = TRIBOX_AXES_PLANE, EDGES = TRIBOX_AXES_EDGES };
@@ -40,9 +30,8 @@ static bool begins_with(const tribox_choice *choice, unsigned first)
                         : p == TRIBOX_SEQUENCE_312 || p == TRIBOX_SEQUENCE_321;
 }
 
-static void test_what_rejects_comes_first(void **state)
+CASE(test_what_rejects_comes_first)
 {
-    (void)state;
     static const struct {
         unsigned rejecting, first;
     } expected[] = {{TRIBOX_AXES_BOX, 1}, {PLANE, 2}, {EDGES, 3}, {PLANE | EDGES, 2}, {0, 1}};
@@ -58,9 +47,8 @@ static void test_what_rejects_comes_first(void **state)
 }
 
 /* Nothing is rejected: edges and plane together cost the least. */
-static void test_nothing_rejected(void **state)
+CASE(test_nothing_rejected)
 {
-    (void)state;
     tribox_choice choice;
     tribox_choice_start(&choice);
     const tribox_seen seen = seen_alike(8, 0);
@@ -69,9 +57,8 @@ static void test_nothing_rejected(void **state)
 }
 
 /* One packet in two is apart from the box on x, and the plane would reject all others. */
-static void test_costs(void **state)
+CASE(test_costs)
 {
-    (void)state;
     tribox_seen seen = {.packets = 8, .apart = {0x0f}};
     seen.rejected[PLANE] = seen.rejected[TRIBOX_AXES_BOX | PLANE] = seen.rejected[PLANE | EDGES] = 0xf0;
     unsigned cost[TRIBOX_CHOICE_ORDERS], unforeseen[TRIBOX_CHOICE_ORDERS];
@@ -88,9 +75,8 @@ static void test_costs(void **state)
 }
 
 /* However long it was one way, a survey turns it that finds the order far too dear. */
-static void test_nature_changes(void **state)
+CASE(test_nature_changes)
 {
-    (void)state;
     for (unsigned packets = 4; packets <= 64; packets *= 2)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             tribox_choice choice;
@@ -107,9 +93,8 @@ static void test_nature_changes(void **state)
 }
 
 /* One word that would go a little better in another order may be an exception; several are none. */
-static void test_exceptions(void **state)
+CASE(test_exceptions)
 {
-    (void)state;
     tribox_choice choice, fresh;
     tribox_choice_start(&choice);
     tribox_choice_start(&fresh);
@@ -145,9 +130,8 @@ static size_t survey_places(tribox_choice *choice, size_t words, size_t block, s
     return count;
 }
 
-static void test_places(void **state)
+CASE(test_places)
 {
-    (void)state;
     static const size_t expected[] = {0, 16, 64, 192, 320}, blocks[] = {64, 8, 4};
     for (size_t b = 0; b < sizeof blocks / sizeof blocks[0]; b++) {
         size_t places[300];
@@ -202,9 +186,8 @@ static void check_survey(const tribox_kernel *kernel, const tribox_query *p, tri
     }
 }
 
-static void test_surveys(void **state)
+CASE(test_surveys)
 {
-    (void)state;
     static const struct {
         scene_draw *draw;
         const char *name;
@@ -244,13 +227,10 @@ static void draw_changing(random_source *r, const scene *s, size_t half)
 }
 
 /* Order 0 answers as 132 does, wherever the call ends. */
-static void test_answers(void **state)
+CASE(test_answers)
 {
-    (void)state;
     static const size_t counts[] = {0,    1,    63,   64,   65,   255,  256,  257,  320,  1023,
                                     1024, 1025, 1088, 4095, 4096, 4097, 4159, 4160, 8255, 10240};
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     const size_t step = arguments_are_short(&args) ? 5 : 1;
     for (size_t i = args.seed % step; i < scene_count(); i += step) {
         const scene *const s = scene_at(i);
@@ -276,18 +256,5 @@ static void test_answers(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_what_rejects_comes_first),
-        cmocka_unit_test(test_nothing_rejected),
-        cmocka_unit_test(test_costs),
-        cmocka_unit_test(test_nature_changes),
-        cmocka_unit_test(test_exceptions),
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_surveys),
-        cmocka_unit_test(test_answers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_what_rejects_comes_first), RUN(test_nothing_rejected), RUN(test_costs), RUN(test_nature_changes),
+        RUN(test_exceptions), RUN(test_places), RUN(test_surveys), RUN(test_answers))

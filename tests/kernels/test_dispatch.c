@@ -1,14 +1,7 @@
 /* test_dispatch.c - the kernel that is asked for is the one that runs, and what cannot run is refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "dispatch.h"
+#include "common/harness.h"
 #include "drawn_pairs.h"
-#include "common/kernels_here.h"
 
 /* The kernel that the default has to be on an emulated processor; NULL on the real one. */
 static const char *widest;
@@ -24,9 +17,8 @@ static tribox_status status_of(const char *asked)
     return tribox_overlap(&none, &box, &(tribox_options){.kernel = asked}, NULL, NULL);
 }
 
-static void test_each_kernel_by_name(void **state)
+CASE(test_each_kernel_by_name)
 {
-    (void)state;
     for (size_t i = 0; i < tribox_kernel_count(); i++) {
         const char *const name = tribox_kernel_at(i)->name;
         char copy[32];
@@ -43,9 +35,8 @@ static void test_each_kernel_by_name(void **state)
     }
 }
 
-static void test_unknown_names(void **state)
+CASE(test_unknown_names)
 {
-    (void)state;
     static const char *const unknown[] = {"", "AVX2", "nope", "avx", "avx2 ", " avx2", "scala", "scalarx"};
     for (size_t k = 0; k < sizeof unknown / sizeof unknown[0]; k++) {
         assert_null(name_chosen(unknown[k]));
@@ -53,9 +44,8 @@ static void test_unknown_names(void **state)
     }
 }
 
-static void test_default_is_the_widest_that_runs(void **state)
+CASE(test_default_is_the_widest_that_runs)
 {
-    (void)state;
     size_t i = 0;
     while (!tribox_kernel_runs_here(i))
         i++;
@@ -65,9 +55,8 @@ static void test_default_is_the_widest_that_runs(void **state)
         assert_string_equal(tribox_kernel_name(NULL), widest);
 }
 
-static void test_a_name_changes_no_default(void **state)
+CASE(test_a_name_changes_no_default)
 {
-    (void)state;
     const char *const best = tribox_kernel_name(NULL);
     for (size_t i = 0; i < tribox_kernel_count(); i++) {
         name_chosen(tribox_kernel_at(i)->name);
@@ -75,9 +64,8 @@ static void test_a_name_changes_no_default(void **state)
     }
 }
 
-static void test_list_is_what_runs(void **state)
+CASE(test_list_is_what_runs)
 {
-    (void)state;
     size_t listed = 0;
     for (size_t i = 0; i < tribox_kernel_count(); i++)
         if (tribox_kernel_runs_here(i))
@@ -88,9 +76,8 @@ static void test_list_is_what_runs(void **state)
     assert_null(tribox_kernel_list(SIZE_MAX));
 }
 
-static void test_table_is_widest_first(void **state)
+CASE(test_table_is_widest_first)
 {
-    (void)state;
     const size_t count = tribox_kernel_count();
     assert_string_equal(tribox_kernel_at(count - 1)->name, "scalar");
     assert_true(tribox_kernel_runs_here(count - 1));
@@ -102,11 +89,9 @@ static void test_table_is_widest_first(void **state)
 }
 
 /* A name proves little. Near contact, kernels that round once and those that round twice differ in FAST, or one ran for all. */
-static void test_the_named_kernel_runs(void **state)
+CASE(test_the_named_kernel_runs)
 {
-    (void)state;
-    const char *names[KERNELS_MAX];
-    const int count = kernels_here(names);
+    kernels = kernels_here(names);
     random_source r = random_named(1, "dispatch");
     const scene near_contact = {.name = "near-contact", .draw = draw_near_contact};
     size_t fused = 0, differing = 0;
@@ -114,7 +99,7 @@ static void test_the_named_kernel_runs(void **state)
         const pair_list q = draw_pairs(&r, &near_contact, true, &numbers);
         uint64_t first[DRAWN_WORDS], mask[DRAWN_WORDS];
         ask_ok(&q, &(tribox_options){.accuracy = TRIBOX_FAST, .kernel = names[0]}, first, NULL);
-        for (int k = 1; k < count; k++) {
+        for (int k = 1; k < kernels; k++) {
             ask_ok(&q, &(tribox_options){.accuracy = TRIBOX_FAST, .kernel = names[k]}, mask, NULL);
             fused += kernel_is_fused(names[k]);
             differing += kernel_is_fused(names[k]) && memcmp(mask, first, tribox_mask_words(q.count) * sizeof *mask);
@@ -133,13 +118,9 @@ int main(int argc, char **argv)
     }
     widest = argc == 2 ? argv[1] : NULL;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_kernel_by_name),
-        cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_default_is_the_widest_that_runs),
-        cmocka_unit_test(test_a_name_changes_no_default),
-        cmocka_unit_test(test_list_is_what_runs),
-        cmocka_unit_test(test_table_is_widest_first),
-        cmocka_unit_test(test_the_named_kernel_runs),
+        RUN(test_each_kernel_by_name),       RUN(test_unknown_names),     RUN(test_default_is_the_widest_that_runs),
+        RUN(test_a_name_changes_no_default), RUN(test_list_is_what_runs), RUN(test_table_is_widest_first),
+        RUN(test_the_named_kernel_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

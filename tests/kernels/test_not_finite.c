@@ -1,18 +1,9 @@
 /* test_not_finite.c - NaN, infinity and empty boxes overlap nothing, wherever they stand, at every accuracy, order and axis set. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "drawn_pairs.h"
-#include "common/guard.h"
-#include "common/kernels_here.h"
 
-static arguments args;
 static drawn_numbers numbers;
 
 /* Two whole words and a tail. */
@@ -44,8 +35,6 @@ static void expect_all_but_spoilt(uint64_t expected[WORDS])
 static void check_everywhere(const pair_list *q, const uint64_t expected[WORDS])
 {
     static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
@@ -101,10 +90,8 @@ static void assert_first_and_count(const pair_list *q)
     assert_int_equal(tribox_soup_not_finite(&soup, NULL), COUNT / 3);
 }
 
-static void test_sound_pairs_overlap(void **state)
+CASE(test_sound_pairs_overlap)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "sound");
     uint64_t every[WORDS] = {0};
     for (size_t i = 0; i < COUNT; i++)
@@ -118,7 +105,6 @@ static void test_sound_pairs_overlap(void **state)
 /* One bad coordinate in each place, or one bad bound. */
 static void check_each_stream(pair_list (*draw)(random_source *))
 {
-    catch_faults();
     random_source r = random_named(args.seed, "alone");
     uint64_t expected[WORDS];
     expect_all_but_spoilt(expected);
@@ -137,22 +123,13 @@ static void check_each_stream(pair_list (*draw)(random_source *))
         }
 }
 
-static void test_each_vertex_and_axis_alone(void **state)
-{
-    (void)state;
-    check_each_stream(draw_hits);
-}
+CASE(test_each_vertex_and_axis_alone) { check_each_stream(draw_hits); }
 
-static void test_each_bound_alone(void **state)
-{
-    (void)state;
-    check_each_stream(draw_boxes);
-}
+CASE(test_each_bound_alone) { check_each_stream(draw_boxes); }
 
 /* Several at once, so that they meet: inf - inf, inf with NaN. */
 static void check_several(pair_list (*draw)(random_source *))
 {
-    catch_faults();
     random_source r = random_named(args.seed, "several");
     uint64_t expected[WORDS];
     expect_all_but_spoilt(expected);
@@ -168,10 +145,8 @@ static void check_several(pair_list (*draw)(random_source *))
 }
 
 /* A bad triangle, or one apart, in the second of two words in the cube, of which walks ask no more than that (inside.h). */
-static void test_bad_in_words_inside(void **state)
+CASE(test_bad_in_words_inside)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "inside");
     const pair_list q = draw_hits(&r);
     for (int s = 0; s < SOUP_STREAMS; s++)
@@ -189,17 +164,9 @@ static void test_bad_in_words_inside(void **state)
         }
 }
 
-static void test_several_in_a_triangle(void **state)
-{
-    (void)state;
-    check_several(draw_hits);
-}
+CASE(test_several_in_a_triangle) { check_several(draw_hits); }
 
-static void test_several_in_a_box(void **state)
-{
-    (void)state;
-    check_several(draw_boxes);
-}
+CASE(test_several_in_a_box) { check_several(draw_boxes); }
 
 /* In the plane x + y = 2, across the edge x = y = 1 of the cube: it touches there, which a filter leaves undecided. */
 static const float touching[3][3] = {{2.25f, -0.25f, 0.5f}, {-0.25f, 2.25f, 0.25f}, {1.25f, 0.75f, -2}};
@@ -207,8 +174,6 @@ static const float touching[3][3] = {{2.25f, -0.25f, 0.5f}, {-0.25f, 2.25f, 0.25
 /* The sound triangles are left to a slower stage, the bad ones are not counted. */
 static void check_undecided(const pair_list *q)
 {
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     for (int k = 0; k < kernels; k++) {
         const tribox_options options = {.accuracy = TRIBOX_CONSERVATIVE, .kernel = names[k]};
         uint64_t mask[WORDS];
@@ -221,10 +186,8 @@ static void check_undecided(const pair_list *q)
 }
 
 /* Bad triangles that are settled beside sound ones. They have a vertex well inside the cube. */
-static void test_bad_beside_undecided(void **state)
+CASE(test_bad_beside_undecided)
 {
-    (void)state;
-    catch_faults();
     uint64_t expected[WORDS];
     expect_all_but_spoilt(expected);
     pair_list q = {.count = COUNT, .box = &cube};
@@ -242,10 +205,8 @@ static void test_bad_beside_undecided(void **state)
         }
 }
 
-static void test_bad_triangle_and_many_boxes(void **state)
+CASE(test_bad_triangle_and_many_boxes)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "bad triangle");
     static const uint64_t none[WORDS];
     pair_list q = draw_boxes(&r);
@@ -266,10 +227,8 @@ static void empty_box(tribox_box *box, int axis, int gap)
     box->lo[axis] = gap ? 0.5f : nextafterf(0.125f, 1);
 }
 
-static void test_empty_box_and_soup(void **state)
+CASE(test_empty_box_and_soup)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "empty");
     static const uint64_t none[WORDS];
     pair_list q = draw_hits(&r);
@@ -282,10 +241,8 @@ static void test_empty_box_and_soup(void **state)
         }
 }
 
-static void test_empty_boxes(void **state)
+CASE(test_empty_boxes)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "empty");
     uint64_t expected[WORDS];
     expect_all_but_spoilt(expected);
@@ -304,9 +261,8 @@ static void test_empty_boxes(void **state)
 }
 
 /* Nothing but bad triangles, none, and one at the very end. */
-static void test_counts(void **state)
+CASE(test_counts)
 {
-    (void)state;
     random_source r = random_named(args.seed, "counts");
     const pair_list q = draw_hits(&r);
     const tribox_soup soup = pair_list_soup(&q);
@@ -322,21 +278,6 @@ static void test_counts(void **state)
     assert_int_equal(first, 0);
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sound_pairs_overlap),
-        cmocka_unit_test(test_each_vertex_and_axis_alone),
-        cmocka_unit_test(test_each_bound_alone),
-        cmocka_unit_test(test_bad_in_words_inside),
-        cmocka_unit_test(test_several_in_a_triangle),
-        cmocka_unit_test(test_several_in_a_box),
-        cmocka_unit_test(test_bad_beside_undecided),
-        cmocka_unit_test(test_bad_triangle_and_many_boxes),
-        cmocka_unit_test(test_empty_box_and_soup),
-        cmocka_unit_test(test_empty_boxes),
-        cmocka_unit_test(test_counts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_sound_pairs_overlap), RUN(test_each_vertex_and_axis_alone), RUN(test_each_bound_alone),
+        RUN(test_bad_in_words_inside), RUN(test_several_in_a_triangle), RUN(test_several_in_a_box), RUN(test_bad_beside_undecided),
+        RUN(test_bad_triangle_and_many_boxes), RUN(test_empty_box_and_soup), RUN(test_empty_boxes), RUN(test_counts))

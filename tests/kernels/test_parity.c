@@ -1,24 +1,12 @@
 /* test_parity.c - kernels, orders and accuracies agree where they have to: EXACT everywhere, FAST among equal roundings. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "drawn_pairs.h"
-#include "common/guard.h"
-#include "common/kernels_here.h"
 
-static arguments args;
 static drawn_numbers numbers;
 
 enum { ACCURACIES = TRIBOX_FAST + 1, WORDS = (SCENE_TRIANGLES + 63) / 64 };
-
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 /* One set of axes, default order: the mask of each kernel and accuracy. */
 typedef struct answers {
@@ -146,7 +134,6 @@ static void check_question(const pair_list *q, size_t *overlapping)
 /* Agreement on scenes that all miss, or all hit, would be worth little. */
 static void check_scenes(bool is_soup)
 {
-    catch_faults();
     const size_t rounds = arguments_rounds(&args, 50000);
     size_t asked = 0, overlapping = 0;
     for (size_t i = 0; i < scene_count(); i++) {
@@ -162,27 +149,10 @@ static void check_scenes(bool is_soup)
     assert_in_range(overlapping, asked / 10, asked - asked / 10);
 }
 
-static void test_soup(void **state)
-{
-    (void)state;
-    check_scenes(true);
-}
+CASE(test_soup) { check_scenes(true); }
 
-static void test_boxes(void **state)
-{
-    (void)state;
-    check_scenes(false);
-}
+CASE(test_boxes) { check_scenes(false); }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    if (!scene_name_is_known(args.scenes))
-        return 2;
-    kernels = kernels_here(names);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_soup),
-        cmocka_unit_test(test_boxes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static int check_name(void) { return scene_name_is_known(args.scenes) ? 0 : 2; }
+
+PROGRAM_AFTER(check_name, RUN(test_soup), RUN(test_boxes))

@@ -6,22 +6,12 @@
  * integers.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
-#include "common/random_draws.h"
+#include "common/harness.h"
 #include "dispatch.h"
 #include "exact/exact.h"
 
 extern const tribox_settle_kernel tribox_settle_unflagged;
-
-static arguments args;
 
 static double whole(random_source *r, int bits)
 {
@@ -117,9 +107,8 @@ static void fail_pair(tribox_pair *pair, const char *what)
     fail_msg("this pair is %s", what);
 }
 
-static void test_ties(void **state)
+CASE(test_ties)
 {
-    (void)state;
     random_source r = random_named(args.seed, "short numbers");
     const size_t rounds = arguments_rounds(&args, TRIBOX_BATCH / 2);
     size_t decided = 0, ties = 0;
@@ -156,7 +145,7 @@ static void draw_soup(random_source *r, size_t count, float *const number[9], tr
         box->hi[a] = box->lo[a] + (random_int(r, 8) ? ldexp(fabs(whole(r, bits)), unit) : 0);
         for (size_t i = 0; i < count; i++)
             for (int j = 0; j < 3; j++)
-                number[3 * a + j][i] = (float)(i < lattice          ? ldexp(whole(r, 30), unit + bits - 30)
+                number[3 * a + j][i] = (float)(i < lattice        ? ldexp(whole(r, 30), unit + bits - 30)
                                                : random_int(r, 8) ? ldexp(whole(r, bits), unit)
                                                : i % 2            ? box->lo[a]
                                                                   : box->hi[a]);
@@ -178,9 +167,8 @@ static bool is_overlap(const tribox_pair *pair)
     return !is_apart_on_box_normals(pair) && tribox_exact_overlap(pair, TRIBOX_AXES_ALL);
 }
 
-static void test_walks(void **state)
+CASE(test_walks)
 {
-    (void)state;
     enum { MOST = 64 * 70 + 37 };
     uint64_t mask[MOST / 64 + 1];
     random_source r = random_named(args.seed, "short walks");
@@ -217,13 +205,12 @@ static void test_walks(void **state)
         guarded_free(memory[k]);
 }
 
-int main(int argc, char **argv)
+static int find_kernel(void)
 {
-    args = arguments_parse(argc, argv);
-    if (!tribox_kernel_find(KERNEL_NAME)) {
-        puts("this processor cannot run " KERNEL_NAME ": skipped");
-        return 77;
-    }
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ties), cmocka_unit_test(test_walks)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    if (tribox_kernel_find(KERNEL_NAME))
+        return 0;
+    puts("this processor cannot run " KERNEL_NAME ": skipped");
+    return 77;
 }
+
+PROGRAM_AFTER(find_kernel, RUN(test_ties), RUN(test_walks))

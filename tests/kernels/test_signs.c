@@ -1,14 +1,7 @@
 /* test_signs.c - what a sign bit could get wrong: boxes of zeros of either sign, NaN from products that overflow, ties. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/kernels_here.h"
-#include "common/random_draws.h"
+#include "common/harness.h"
 #include "pair_list.h"
 
 static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
@@ -26,8 +19,6 @@ static float zero_of(unsigned signs, int bit) { return signs >> bit & 1 ? -0.0f 
 /* All pairs overlap, at every kernel and order, at these accuracies and axes. */
 static void check_all_overlap(const pair_list *q, tribox_accuracy first, unsigned least_axes)
 {
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     uint64_t every[WORDS] = {0}, mask[WORDS] = {0};
     for (size_t i = 0; i < q->count; i++)
         every[i / 64] |= UINT64_C(1) << i % 64;
@@ -43,9 +34,8 @@ static void check_all_overlap(const pair_list *q, tribox_accuracy first, unsigne
 }
 
 /* Every one of the six bounds +0 or -0: the box is the origin, and the triangle touches it. */
-static void test_boxes_of_zeros(void **state)
+CASE(test_boxes_of_zeros)
 {
-    (void)state;
     static float bound[6][COUNT], coordinate[9][COUNT];
     pair_list boxes = {.count = COUNT}, soup = {.count = COUNT};
     for (int s = 0; s < 6; s++) {
@@ -71,9 +61,8 @@ static void test_boxes_of_zeros(void **state)
 }
 
 /* Beyond 2^40, where products of three lengths, then of two, overflow: a lane that is not finite is not taken for apart. */
-static void test_overflow_is_not_apart(void **state)
+CASE(test_overflow_is_not_apart)
 {
-    (void)state;
     static float coordinate[9][COUNT];
     for (int power = 20; power <= 125; power++) {
         const float half = (float)ldexp(0.5, power);
@@ -92,12 +81,9 @@ static void test_overflow_is_not_apart(void **state)
  * FAST: faces in faces of a box on tenths, as in CAD: rounding alone has the sign of such a tie. One in ten may be lost, not one in
  * three; of soups, and of boxes about one triangle.
  */
-static void test_faces_on_tenths(void **state)
+CASE(test_faces_on_tenths)
 {
-    (void)state;
     static float coordinate[9][COUNT], bound[6][COUNT];
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     size_t overlaps[2] = {0}, lost[2][KERNELS_MAX] = {{0}};
     random_source r = random_named(1, "tenths");
     for (int round = 0; round < 400; round++) {
@@ -144,12 +130,4 @@ static void test_faces_on_tenths(void **state)
                 fail_msg("%s: %zu of %zu %s lost", names[k], lost[form][k], overlaps[form], form ? "boxes" : "triangles");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxes_of_zeros),
-        cmocka_unit_test(test_overflow_is_not_apart),
-        cmocka_unit_test(test_faces_on_tenths),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_boxes_of_zeros), RUN(test_overflow_is_not_apart), RUN(test_faces_on_tenths))

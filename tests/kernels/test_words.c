@@ -1,21 +1,10 @@
 /* test_words.c - the words of one vocabulary mean, in every lane, what the definition of one lane says. */
 #include <float.h>
-#include <inttypes.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "dispatch.h"
-#include "common/random_draws.h"
 #include "words_lanes.h"
-
-static arguments args;
 
 /* The ends and steps of the kind of number under test. */
 #if defined(LANES_OF_DOUBLE)
@@ -155,10 +144,7 @@ static const char *const mask_names[MASK_WORDS] = {
 };
 
 /* The payload of a NaN that an operation makes is nobody's promise; the words that only move bits keep every one. */
-static bool may_change_payload(number_word word)
-{
-    return (word >= V_ADD && word <= V_FMS) || word == V_FLIP || word == V_DROP;
-}
+static bool may_change_payload(number_word word) { return (word >= V_ADD && word <= V_FMS) || word == V_FLIP || word == V_DROP; }
 
 static void check_numbers(number_word word, const lane_number *a, const lane_number *b, const lane_number *c)
 {
@@ -228,9 +214,8 @@ static lane_number special(unsigned k)
 }
 
 /* Every triple of special values, each lane with a triple of its own. */
-static void test_special_values(void **state)
+CASE(test_special_values)
 {
-    (void)state;
     lane_number a[LANES_MAX], b[LANES_MAX], c[LANES_MAX];
     const unsigned triples = SPECIALS * SPECIALS * SPECIALS;
     for (unsigned first = 0; first < triples; first += lanes_count) {
@@ -247,9 +232,8 @@ static void test_special_values(void **state)
 static lane_number any_bits(random_source *r) { return number_of_bits((lane_bits)random_bits(r)); }
 
 /* Random bits, and neighbours: b near a, c near a * b, so that order and rounding are close calls. */
-static void test_random_bits(void **state)
+CASE(test_random_bits)
 {
-    (void)state;
     random_source r = random_named(args.seed, "words");
     lane_number a[LANES_MAX], b[LANES_MAX], c[LANES_MAX];
     for (size_t round = 0; round < args.pairs; round++) {
@@ -263,9 +247,8 @@ static void test_random_bits(void **state)
 }
 
 /* A load from each place that a float may have. A signalling NaN may come quiet where float becomes double. */
-static void test_loads_at_any_alignment(void **state)
+CASE(test_loads_at_any_alignment)
 {
-    (void)state;
     enum { FLOATS = 3 * LANES_MAX };
     random_source r = random_named(args.seed, "loads");
     _Alignas(64) float numbers[FLOATS];
@@ -286,9 +269,8 @@ static void test_loads_at_any_alignment(void **state)
 }
 
 /* Whole numbers of 32 bits, at any alignment of ints; nothing is written outside the lanes. */
-static void test_cuts(void **state)
+CASE(test_cuts)
 {
-    (void)state;
     random_source r = random_named(args.seed, "cuts");
     for (int round = 0; round < 10000; round++) {
         lane_number a[LANES_MAX];
@@ -308,10 +290,8 @@ static void test_cuts(void **state)
 
 #if !defined(LANES_OF_DOUBLE)
 /* No more numbers than lanes, with nothing to be read before or after them. */
-static void test_loads_of_few(void **state)
+CASE(test_loads_of_few)
 {
-    (void)state;
-    catch_faults();
     random_source r = random_named(args.seed, "few");
     const guarded g = guarded_make(LANES_MAX * sizeof(float));
     for (unsigned round = 0; round < 100; round++)
@@ -330,9 +310,8 @@ static void test_loads_of_few(void **state)
 }
 
 /* Any lane of two vectors, at any lane; their bits are kept. */
-static void test_permutes(void **state)
+CASE(test_permutes)
 {
-    (void)state;
     random_source r = random_named(args.seed, "permutes");
     for (int round = 0; round < 10000; round++) {
         lane_number a[2 * LANES_MAX], out[LANES_MAX];
@@ -349,9 +328,8 @@ static void test_permutes(void **state)
 }
 
 /* Four numbers from each of as many places, at any alignment of bytes; their bits are kept. */
-static void test_transposes(void **state)
+CASE(test_transposes)
 {
-    (void)state;
     enum { BYTES = 1000 };
     random_source r = random_named(args.seed, "transposes");
     unsigned char memory[BYTES];
@@ -395,9 +373,8 @@ static void expect_near(const char *word, unsigned lane, const void *from, doubl
 }
 
 /* Doubles at any alignment of bytes, less what is given for each. */
-static void test_near(void **state)
+CASE(test_near)
 {
-    (void)state;
     enum { PLACES = 4 * LANES_MAX };
     random_source r = random_named(args.seed, "near");
     unsigned char memory[PLACES * sizeof(double) + 8];
@@ -433,9 +410,8 @@ static float near_whole(random_source *r)
     return fminf(fmaxf(beside, -0x1p22f), 0x1p22f);
 }
 
-static void test_nearest(void **state)
+CASE(test_nearest)
 {
-    (void)state;
     random_source r = random_named(args.seed, "nearest");
     for (int round = 0; round < 100000; round++) {
         float a[LANES_MAX], out[LANES_MAX];
@@ -531,9 +507,8 @@ static int32_t any_int(random_source *r)
     return random_int(r, 2) ? (int32_t)random_bits(r) : special[random_int(r, SPECIAL)];
 }
 
-static void test_ints(void **state)
+CASE(test_ints)
 {
-    (void)state;
     random_source r = random_named(args.seed, "ints");
     for (int round = 0; round < 100000; round++) {
         int32_t a[LANES_MAX], b[LANES_MAX];
@@ -554,9 +529,8 @@ static void test_ints(void **state)
 }
 
 /* By every number of bits in every lane. */
-static void test_shifts(void **state)
+CASE(test_shifts)
 {
-    (void)state;
     random_source r = random_named(args.seed, "shifts");
     for (unsigned round = 0; round < 33000; round++) {
         int32_t a[LANES_MAX], n[LANES_MAX];
@@ -579,9 +553,8 @@ static void test_shifts(void **state)
 }
 
 /* Every run, in every lane. */
-static void test_runs(void **state)
+CASE(test_runs)
 {
-    (void)state;
     for (int32_t number = 0; number < 33 * 33; number++) {
         int32_t first[LANES_MAX], end[LANES_MAX];
         for (unsigned lane = 0; lane < lanes_count; lane++) {
@@ -594,9 +567,8 @@ static void test_runs(void **state)
 }
 
 /* Every mask; nothing is written outside the lanes. */
-static void test_packs(void **state)
+CASE(test_packs)
 {
-    (void)state;
     random_source r = random_named(args.seed, "packs");
     for (uint32_t mask = 0; mask >> lanes_count == 0; mask++) {
         int32_t a[LANES_MAX], chosen[LANES_MAX], out[2][LANES_MAX + 2], expected[LANES_MAX];
@@ -626,9 +598,8 @@ static void test_packs(void **state)
 #endif
 
 /* Each lane alone, and all lanes but one: bit k of m_bits is lane k, and no bit lies outside the lanes. */
-static void test_bits_of_single_lanes(void **state)
+CASE(test_bits_of_single_lanes)
 {
-    (void)state;
     for (unsigned lane = 0; lane < lanes_count; lane++)
         for (int is_inverse = 0; is_inverse < 2; is_inverse++) {
             lane_number a[LANES_MAX], b[LANES_MAX], c[LANES_MAX];
@@ -643,9 +614,8 @@ static void test_bits_of_single_lanes(void **state)
 }
 
 /* Where one rounding and two differ: (1 + e)^2 - (1 + 2e) is e^2, or 0. */
-static void test_roundings(void **state)
+CASE(test_roundings)
 {
-    (void)state;
     const lane_number e = (lane_number)ldexp(1, -HALF_DIGITS), expected = lanes_fused ? e * e : 0;
     lane_number a[LANES_MAX] = {0}, plus[LANES_MAX] = {0}, minus[LANES_MAX] = {0}, out[LANES_MAX];
     for (unsigned lane = 0; lane < lanes_count; lane++) {
@@ -663,9 +633,8 @@ static void test_roundings(void **state)
 }
 
 /* The float lanes are the kernel's. Every vocabulary divides a word of 64. */
-static void test_lanes_divide_a_word(void **state)
+CASE(test_lanes_divide_a_word)
 {
-    (void)state;
     const tribox_kernel *const kernel = tribox_kernel_find(KERNEL_NAME);
     assert_non_null(kernel);
     assert_int_equal(64 % lanes_count, 0);
@@ -673,32 +642,21 @@ static void test_lanes_divide_a_word(void **state)
         assert_int_equal(kernel->lanes, lanes_count);
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    if (!tribox_kernel_find(KERNEL_NAME)) {
-        puts("this processor cannot run " KERNEL_NAME ": skipped");
-        return 77;
-    }
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_special_values),
-        cmocka_unit_test(test_random_bits),
-        cmocka_unit_test(test_loads_at_any_alignment),
-        cmocka_unit_test(test_cuts),
-#if !defined(LANES_OF_DOUBLE)
-        cmocka_unit_test(test_loads_of_few),
-        cmocka_unit_test(test_permutes),
-        cmocka_unit_test(test_transposes),
-        cmocka_unit_test(test_near),
-        cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_ints),
-        cmocka_unit_test(test_shifts),
-        cmocka_unit_test(test_runs),
-        cmocka_unit_test(test_packs),
+#if defined(LANES_OF_DOUBLE)
+#define FLOAT_CASES
+#else
+#define FLOAT_CASES \
+    RUN(test_loads_of_few), RUN(test_permutes), RUN(test_transposes), RUN(test_near), RUN(test_nearest), RUN(test_ints), \
+        RUN(test_shifts), RUN(test_runs), RUN(test_packs),
 #endif
-        cmocka_unit_test(test_bits_of_single_lanes),
-        cmocka_unit_test(test_roundings),
-        cmocka_unit_test(test_lanes_divide_a_word),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+
+static int find_kernel(void)
+{
+    if (tribox_kernel_find(KERNEL_NAME))
+        return 0;
+    puts("this processor cannot run " KERNEL_NAME ": skipped");
+    return 77;
 }
+
+PROGRAM_AFTER(find_kernel, RUN(test_special_values), RUN(test_random_bits), RUN(test_loads_at_any_alignment), RUN(test_cuts),
+              FLOAT_CASES RUN(test_bits_of_single_lanes), RUN(test_roundings), RUN(test_lanes_divide_a_word))

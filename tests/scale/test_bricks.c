@@ -6,11 +6,9 @@
 #include "brick_book.h"
 
 #include <pthread.h>
-#include <stdlib.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/float_environment.h"
-#include "common/guard.h"
 
 enum { PAIRS = 100000, ROUNDS = 600, FEW_ROUNDS = 100 };
 
@@ -60,12 +58,10 @@ static void expect_dense(const tile_case *c)
     tile_case_dense(c, &exact, expected);
 }
 
-static void test_dense(void **state)
+CASE(test_dense)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "bricks");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+    random_source r = random_named(args.seed, "bricks");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         void *const scratch = draw(&r, round);
         const size_t count = tile_case_tiles(&drawn);
         const tile_lists lists = tile_case_lists(&drawn, 0, count);
@@ -86,12 +82,10 @@ static void test_dense(void **state)
 }
 
 /* A sink that ends the call after any number of bricks, of all there are as well. */
-static void test_stops(void **state)
+CASE(test_stops)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "stops");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
+    random_source r = random_named(args.seed, "stops");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / FEW_ROUNDS); round++) {
         void *const scratch = draw(&r, round);
         const size_t count = tile_case_tiles(&drawn);
         const tile_lists lists = tile_case_lists(&drawn, 0, count);
@@ -113,13 +107,11 @@ static void test_stops(void **state)
 }
 
 /* Any rounding, flushes and traps: the same bits, and the sink runs in what the caller has set. */
-static void test_environment(void **state)
+CASE(test_environment)
 {
-    const arguments *const args = *state;
     const unsigned normal = environment_get();
-    catch_faults();
-    random_source r = random_named(args->seed, "environment");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
+    random_source r = random_named(args.seed, "environment");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / FEW_ROUNDS); round++) {
         void *const scratch = draw(&r, round);
         const size_t count = tile_case_tiles(&drawn);
         const tile_lists lists = tile_case_lists(&drawn, 0, count);
@@ -166,12 +158,10 @@ static void *work(void *argument)
     return NULL;
 }
 
-static void test_threads(void **state)
+CASE(test_threads)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "threads");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
+    random_source r = random_named(args.seed, "threads");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / FEW_ROUNDS); round++) {
         draw(&r, round);
         const size_t count = tile_case_tiles(&drawn), middle = (size_t)random_int(&r, (int)count + 1);
         worker workers[2] = {{.from = 0, .to = middle, .occupied = occupied}, {.from = middle, .to = count, .occupied = other}};
@@ -192,14 +182,4 @@ static void test_threads(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_dense, &args),
-        cmocka_unit_test_prestate(test_stops, &args),
-        cmocka_unit_test_prestate(test_environment, &args),
-        cmocka_unit_test_prestate(test_threads, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_dense), RUN(test_stops), RUN(test_environment), RUN(test_threads))

@@ -2,22 +2,11 @@
  * test_bricks_far.c - grids of up to 2^20 cells along each axis, whose dense bits no call could write: bricks of a few tiles have
  * the cells that overlap, each asked by its own box, in float and double.
  */
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
 #include <math.h>
-#include <stdbool.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/contact.h"
 #include "common/grid_planes.h"
-#include "common/kernels_here.h"
-#include "common/random_draws.h"
-#include "tribox.h"
 
 enum { TRIANGLES = 40, SAMPLES = 400, ROUNDS = 500, SIDE = 128, BRICKS = SIDE / 8 };
 
@@ -150,15 +139,12 @@ static void check_sample(random_source *r, const far_tile *t, bool is_double)
     assert_int_equal(t->cells[cell[2]][cell[1]][cell[0]], overlaps(t, is_double, cell));
 }
 
-static void test_far(void **state)
+CASE(test_far)
 {
-    const arguments *const args = *state;
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
-    random_source r = random_named(args->seed, "far");
-    for (size_t round = 0; round < arguments_rounds(args, 100000 / ROUNDS); round++) {
+    random_source r = random_named(args.seed, "far");
+    for (size_t round = 0; round < arguments_rounds(&args, 100000 / ROUNDS); round++) {
         const bool is_double = round % 3 == 2;
-        const tribox_options options = {.kernel = kernels[random_int(&r, kernel_count)]};
+        const tribox_options options = {.kernel = names[random_int(&r, kernels)]};
         draw(&r, &drawn);
         make_bricks(&drawn, is_double, &options);
         for (int n = 0; n < SAMPLES; n++)
@@ -166,9 +152,4 @@ static void test_far(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_far, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_far))

@@ -5,10 +5,7 @@
  */
 #include "brick_book.h"
 
-#include <stdlib.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 
 enum { PAIRS = 100000, ROUNDS = 600, WALLS = 500, IDS = 64 * CASE_WORDS };
 
@@ -163,12 +160,10 @@ static void check(random_source *r)
     tile_lists_free(lists);
 }
 
-static void test_dense(void **state)
+CASE(test_dense)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "ids of bricks");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+    random_source r = random_named(args.seed, "ids of bricks");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
         tile_case_tell(&drawn, doing, sizeof doing);
         check(&r);
@@ -176,10 +171,9 @@ static void test_dense(void **state)
 }
 
 /* So many walls through each brick that their pieces do not fit: by parts of a tile, down to a brick that is done twice. */
-static void test_crowded(void **state)
+CASE(test_crowded)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "crowded bricks");
+    random_source r = random_named(args.seed, "crowded bricks");
     for (int n = 0; n < 8; n++) {
         tile_case_draw(&r, n % 2 ? 8 : 24, &drawn);
         drawn.is_double = drawn.is_mesh = false;
@@ -209,9 +203,8 @@ static int stop_lists(void *data, const uint32_t at[3], const uint64_t bits[8], 
 }
 
 /* A triangle through eight bricks: ended at the third of them, and refused; by damaged lists too. */
-static void test_refused(void **state)
+CASE(test_refused)
 {
-    (void)state;
     static const float u[9] = {0, 0, 0, 64, 0, 0, 0, 64, 0};
     const tribox_mesh mesh = {.positions = u, .vertices = 3, .count = 1};
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {64, 64, 1}};
@@ -247,10 +240,4 @@ static void test_refused(void **state)
     assert_true(tribox_bricks_ids_bytes(0) < 128 * 1024);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_dense, &args), cmocka_unit_test_prestate(test_crowded, &args),
-                                       cmocka_unit_test(test_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_dense), RUN(test_crowded), RUN(test_refused))

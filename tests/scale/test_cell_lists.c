@@ -1,10 +1,7 @@
 /* test_cell_lists.c - the triangles listed for each cell of a window are those that overlap it, and those of the whole grid. */
 #include "tile_case.h"
 
-#include <stdlib.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "tiles/tiles.h"
 
 enum { ROUNDS = 400, ASKED = 60, FAR_ROUNDS = 200 };
@@ -113,12 +110,10 @@ static void check_set(const tile_case *c, const cell_lists *whole)
             fail_msg("%s: cell %zu is set or has triangles, and not both", doing, cell);
 }
 
-static void test_windows(void **state)
+CASE(test_windows)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "lists by cell");
-    for (size_t round = 0; round < arguments_rounds(args, ROUNDS); round++) {
+    random_source r = random_named(args.seed, "lists by cell");
+    for (size_t round = 0; round < arguments_rounds(&args, ROUNDS); round++) {
         tile_case_draw(&r, 1, &drawn);
         drawn.options.accuracy = TRIBOX_EXACT;
         tile_case_tell(&drawn, doing, sizeof doing);
@@ -138,12 +133,11 @@ static void test_windows(void **state)
 }
 
 /* A window far from the first cell of a grid whose cells no number of tiles counts, where planes are rounded. */
-static void test_far(void **state)
+CASE(test_far)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "far cells");
+    random_source r = random_named(args.seed, "far cells");
     const tribox_grid grid = {{-3e8, 0.1, 7}, {0.3, 0.7, 1.0 / 3}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
-    for (size_t round = 0; round < FAR_ROUNDS / (arguments_are_short(args) ? 10 : 1); round++) {
+    for (size_t round = 0; round < FAR_ROUNDS / (arguments_are_short(&args) ? 10 : 1); round++) {
         tribox_window window;
         double u[4][9];
         size_t starts[4 * 5 * 3 + 1], at = 0;
@@ -173,9 +167,8 @@ static void test_far(void **state)
     }
 }
 
-static void test_refused(void **state)
+CASE(test_refused)
 {
-    (void)state;
     const float three[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const uint32_t wrong[3] = {0, 1, 3};
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}}, flat = {{0, 0, 0}, {1, 0, 1}, {4, 4, 4}};
@@ -203,13 +196,4 @@ static void test_refused(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_windows, &args),
-        cmocka_unit_test_prestate(test_far, &args),
-        cmocka_unit_test_prestate(test_refused, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_windows), RUN(test_far), RUN(test_refused))

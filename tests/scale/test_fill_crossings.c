@@ -1,12 +1,5 @@
 /* test_fill_crossings.c - every kernel turns the bits that exact signs alone turn. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "dispatch.h"
 #include "fill_case.h"
 #include "fill/fill_crossings.h"
@@ -63,13 +56,12 @@ static void cross_exactly(const fill_case *c, turned *t)
     tribox_crossings_finish(&to);
 }
 
-static void test_kernels(void **state)
+CASE(test_kernels)
 {
-    const arguments *const args = *state;
     static turned exact, found;
     size_t places = 0;
-    random_source r = random_named(args->seed, "fill crossings");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS) / (arguments_are_short(args) ? 10 : 1); round++) {
+    random_source r = random_named(args.seed, "fill crossings");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS) / (arguments_are_short(&args) ? 10 : 1); round++) {
         fill_case_draw(&r, round % fill_case_scenes(), &drawn);
         const tribox_window all = tribox_whole_window(&drawn.grid);
         if (!tribox_middles_of(&drawn.grid, &all).has_places)
@@ -88,9 +80,4 @@ static void test_kernels(void **state)
     assert_true(places);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_kernels, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_kernels))

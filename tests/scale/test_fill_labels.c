@@ -1,14 +1,5 @@
 /* test_fill_labels.c - grids that are filled part by part have the bits of a plain search, however they are cut. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "fill_search.h"
 #include "fill_walls.h"
 #include "tribox_threads.h"
@@ -219,12 +210,10 @@ static void check_drawn(random_source *r)
         fail_msg("%s: %zu are inside, not %zu", doing, free_cells - reached, inside);
 }
 
-static void test_parts(void **state)
+CASE(test_parts)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "fill labels");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS) / (arguments_are_short(args) ? 10 : 1); round++) {
+    random_source r = random_named(args.seed, "fill labels");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS) / (arguments_are_short(&args) ? 10 : 1); round++) {
         walls_draw(&r, round % walls_kinds(), &drawn);
         if (!cut_walls(&r))
             continue;
@@ -235,9 +224,8 @@ static void test_parts(void **state)
 }
 
 /* Scratch is at any address, and no byte past what was asked for is written. */
-static void test_scratch(void **state)
+CASE(test_scratch)
 {
-    (void)state;
     static const uint32_t sizes[][3] = {{1, 1, 1}, {70, 4, 2}, {3, 20, 1}, {3, 1, 20}, {64, 2, 2}};
     for (size_t n = 0; n < sizeof sizes / sizeof sizes[0]; n++)
         for (size_t off = 0; off < 9; off++) {
@@ -254,9 +242,8 @@ static void test_scratch(void **state)
 }
 
 /* Walls at every other cell: the most labels, and not one more run than there is scratch for. */
-static void test_checkerboard(void **state)
+CASE(test_checkerboard)
 {
-    (void)state;
     memset(&drawn, 0, sizeof drawn);
     memcpy(drawn.size, (uint32_t[3]){129, 17, 17}, sizeof drawn.size);
     drawn.kind = "checkerboard";
@@ -275,9 +262,8 @@ static void test_checkerboard(void **state)
 }
 
 /* A corridor of rows that repeat each other, all bits of them, which one cell of another layer opens. */
-static void test_repeated_rows(void **state)
+CASE(test_repeated_rows)
 {
-    (void)state;
     random_source r = random_named(1, "fill repeated rows");
     memset(&drawn, 0, sizeof drawn);
     memcpy(drawn.size, (uint32_t[3]){64, 9, 3}, sizeof drawn.size);
@@ -316,9 +302,8 @@ static void check_refused(tribox_status expected, const uint32_t *size, const vo
     assert_memory_equal(solid, kept, sizeof solid);
 }
 
-static void test_bad_arguments(void **state)
+CASE(test_bad_arguments)
 {
-    (void)state;
     const uint32_t size[3] = {9, 3, 2};
     const uint64_t some[8] = {0};
     check_refused(TRIBOX_BAD_ARGUMENT, NULL, some, true, true, true);
@@ -345,13 +330,4 @@ static void test_bad_arguments(void **state)
     assert_int_equal(tribox_fill_join(NULL, NULL, 0, NULL, 0, 0), TRIBOX_OK);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_parts, &args),         cmocka_unit_test_prestate(test_checkerboard, &args),
-        cmocka_unit_test_prestate(test_repeated_rows, &args), cmocka_unit_test_prestate(test_scratch, &args),
-        cmocka_unit_test_prestate(test_bad_arguments, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_parts), RUN(test_checkerboard), RUN(test_repeated_rows), RUN(test_scratch), RUN(test_bad_arguments))

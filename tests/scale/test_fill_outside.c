@@ -1,16 +1,7 @@
 /* test_fill_outside.c - what is filled are the cells that a plain search from outside does not find, whatever the walls. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "fill_search.h"
 #include "fill_walls.h"
-#include "tribox.h"
 
 enum { PAIRS = 100000, ROUNDS = 1500 };
 
@@ -77,12 +68,10 @@ static void check_drawn(random_source *r)
     guarded_free(scratch_pages);
 }
 
-static void test_walls(void **state)
+CASE(test_walls)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "fill outside");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS) / (arguments_are_short(args) ? 10 : 1); round++) {
+    random_source r = random_named(args.seed, "fill outside");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS) / (arguments_are_short(&args) ? 10 : 1); round++) {
         walls_draw(&r, round % walls_kinds(), &drawn);
         snprintf(doing, sizeof doing, "round %zu, %s in %u x %u x %u", round, drawn.kind, drawn.size[0], drawn.size[1],
                  drawn.size[2]);
@@ -91,9 +80,8 @@ static void test_walls(void **state)
 }
 
 /* Scratch is at any address, and no byte past what was asked for is written. */
-static void test_scratch(void **state)
+CASE(test_scratch)
 {
-    (void)state;
     static const uint32_t sizes[][3] = {{1, 1, 1}, {70, 8, 8}, {3, 64, 1}, {3, 1, 65}, {3, 13, 11}};
     for (size_t n = 0; n < sizeof sizes / sizeof sizes[0]; n++)
         for (size_t off = 0; off < 9; off++) {
@@ -109,9 +97,8 @@ static void test_scratch(void **state)
         }
 }
 
-static void test_bytes(void **state)
+CASE(test_bytes)
 {
-    (void)state;
     const uint32_t most[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX}, cube[3] = {1024, 1024, 1024}, none[3] = {0, 0, 0};
     assert_true(tribox_fill_bytes(cube) <= 1024 * 1024 / 4 + 64);
     assert_true(tribox_fill_bytes(none) <= 64);
@@ -134,9 +121,8 @@ static void check_refused(tribox_status expected, const uint32_t *size, const ui
         assert_true(bytes[n] == 0xa5 && ((unsigned char *)words)[n] == 0xa5);
 }
 
-static void test_bad_arguments(void **state)
+CASE(test_bad_arguments)
 {
-    (void)state;
     const uint32_t size[3] = {9, 3, 2};
     uint64_t some[8] = {0};
     check_refused(TRIBOX_BAD_ARGUMENT, NULL, some, some, some);
@@ -153,14 +139,4 @@ static void test_bad_arguments(void **state)
     check_refused(TRIBOX_BAD_GRID, (uint32_t[3]){UINT32_MAX, UINT32_MAX, UINT32_MAX}, some, some, some);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_walls, &args),
-        cmocka_unit_test_prestate(test_scratch, &args),
-        cmocka_unit_test_prestate(test_bytes, &args),
-        cmocka_unit_test_prestate(test_bad_arguments, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_walls), RUN(test_scratch), RUN(test_bytes), RUN(test_bad_arguments))

@@ -1,14 +1,6 @@
 /* test_fill_parity.c - what is filled are the cells whose middles have an odd number of crossings below them, by integers. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/float_environment.h"
-#include "common/guard.h"
 #include "fill_case.h"
 
 enum { PAIRS = 100000, ROUNDS = 150 };
@@ -106,14 +98,12 @@ static void draw_case(random_source *r, size_t round)
              drawn.is_closed ? "" : ", open");
 }
 
-static void test_crossings(void **state)
+CASE(test_crossings)
 {
-    const arguments *const args = *state;
     static const uint64_t none[CASE_WORDS_MAX];
     static answer first, other;
-    catch_faults();
-    random_source r = random_named(args->seed, "fill parity");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS) / (arguments_are_short(args) ? 10 : 1); round++) {
+    random_source r = random_named(args.seed, "fill parity");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS) / (arguments_are_short(&args) ? 10 : 1); round++) {
         draw_case(&r, round);
         crossing_oracle(&drawn.at, is_inside, is_odd);
         ask(&drawn, drawn.occupied, &first);
@@ -130,11 +120,10 @@ static void test_crossings(void **state)
     }
 }
 
-static void test_environment(void **state)
+CASE(test_environment)
 {
-    const arguments *const args = *state;
     static answer expected, found;
-    random_source r = random_named(args->seed, "fill environment");
+    random_source r = random_named(args.seed, "fill environment");
     for (size_t round = 0; round < fill_case_scenes(); round++) {
         draw_case(&r, round);
         ask(&drawn, drawn.occupied, &expected);
@@ -157,12 +146,4 @@ static void test_environment(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_crossings, &args),
-        cmocka_unit_test_prestate(test_environment, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_crossings), RUN(test_environment))

@@ -1,17 +1,8 @@
 /* test_fill_scales.c - a closed mesh and its grid fill the same cells by parity, whatever power of two scales each axis. */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/closed_meshes.h"
-#include "common/guard.h"
-#include "common/random_draws.h"
-#include "tribox.h"
 
 /* Numbers are multiples of 2^-FINE cells and below 2^COARSE: from LEAST to MOST no scale rounds any of them, nor a middle. */
 enum { FINE = 20, COARSE = 10, LEAST = -1074 + FINE, MOST = 1023 - COARSE };
@@ -107,13 +98,12 @@ static void draw_scale(random_source *r, int scale[3])
         scale[a] = are_near ? random_int_between(r, place - 100, place + 100) : random_int_between(r, LEAST, MOST);
 }
 
-static void test_scales(void **state)
+CASE(test_scales)
 {
-    const arguments *const args = *state;
     static scaled_mesh drawn;
     static answer expected;
-    random_source r = random_named(args->seed, "fill scales");
-    const int rounds = (int)(ROUNDS * arguments_rounds(args, PAIRS)) / (arguments_are_short(args) ? 10 : 1);
+    random_source r = random_named(args.seed, "fill scales");
+    const int rounds = (int)(ROUNDS * arguments_rounds(&args, PAIRS)) / (arguments_are_short(&args) ? 10 : 1);
     for (int round = 0; round < rounds; round++) {
         int scale[3] = {0, 0, 0};
         draw(&r, &drawn);
@@ -131,9 +121,4 @@ static void test_scales(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_scales, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_scales))

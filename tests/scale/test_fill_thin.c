@@ -1,16 +1,8 @@
 /* test_fill_thin.c - thin surfaces by integers, triangle by triangle; and that none leaks. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include <math.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/float_environment.h"
-#include "common/guard.h"
 #include "fill_case.h"
 
 enum { PAIRS = 100000, ROUNDS = 40, CELLS = 2 * ORACLE_CELLS };
@@ -158,14 +150,12 @@ static void draw_case(random_source *r, size_t round)
         expect_along(&drawn, along);
 }
 
-static void test_cells(void **state)
+CASE(test_cells)
 {
-    const arguments *const args = *state;
     static uint64_t words[CASE_WORDS_MAX];
     size_t set;
-    catch_faults();
-    random_source r = random_named(args->seed, "fill thin");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS) / (arguments_are_short(args) ? 10 : 1); round++) {
+    random_source r = random_named(args.seed, "fill thin");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS) / (arguments_are_short(&args) ? 10 : 1); round++) {
         draw_case(&r, round);
         const tribox_window whole = {{0, 0, 0}, {drawn.at.size[0], drawn.at.size[1], drawn.at.size[2]}};
         const tribox_window part = draw_window(&r, &drawn);
@@ -190,11 +180,10 @@ static void test_cells(void **state)
 }
 
 /* The caller's rounding changes nothing, and stays. */
-static void test_environment(void **state)
+CASE(test_environment)
 {
-    const arguments *const args = *state;
     static uint64_t words[CASE_WORDS_MAX];
-    random_source r = random_named(args->seed, "fill thin environment");
+    random_source r = random_named(args.seed, "fill thin environment");
     for (size_t round = 0; round < fill_case_scenes(); round++) {
         draw_case(&r, round);
         const tribox_window whole = {{0, 0, 0}, {drawn.at.size[0], drawn.at.size[1], drawn.at.size[2]}};
@@ -216,11 +205,11 @@ static void test_environment(void **state)
 }
 
 /* Tetrahedra with corners on planes that are neighbouring doubles, so that middles are planes. */
-static void test_neighbouring_planes(void **state)
+CASE(test_neighbouring_planes)
 {
     static const uint32_t corners[] = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
     const tribox_grid grid = {{1, 1, 1}, {0x1p-52, 0x1p-52, 0x1p-52}, {3, 3, 3}};
-    random_source r = random_named(((const arguments *)*state)->seed, "fill thin neighbours");
+    random_source r = random_named(args.seed, "fill thin neighbours");
     memcpy(drawn.at.size, grid.size, sizeof grid.size);
     for (int round = 0; round < 3000; round++) {
         uint64_t thin[9] = {0}, inside[9], scratch[3];
@@ -241,9 +230,8 @@ static void test_neighbouring_planes(void **state)
 }
 
 /* The faces of a box on planes: one layer of cells each, the lower ones without and the upper ones within. */
-static void test_box(void **state)
+CASE(test_box)
 {
-    (void)state;
     static const float low = 2, high = 7;
     float number[9][12];
     static const int corners[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
@@ -269,9 +257,8 @@ static void test_box(void **state)
     assert_int_equal(report.overlapping, 5 * 5 * 5 - 3 * 3 * 3);
 }
 
-static void test_refused(void **state)
+CASE(test_refused)
 {
-    (void)state;
     static const float zero[1] = {0};
     const tribox_soup soup = {.x = {zero, zero, zero}, .y = {zero, zero, zero}, .z = {zero, zero, zero}, .count = 1};
     const tribox_mesh mesh = {.positions = zero, .vertices = 0, .indices = "\1\0\1\0\1", .index_bytes = 2, .count = 1};
@@ -292,11 +279,4 @@ static void test_refused(void **state)
     assert_int_equal(word, 5);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_cells, &args), cmocka_unit_test_prestate(test_environment, &args),
-        cmocka_unit_test_prestate(test_neighbouring_planes, &args), cmocka_unit_test(test_box), cmocka_unit_test(test_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_cells), RUN(test_environment), RUN(test_neighbouring_planes), RUN(test_box), RUN(test_refused))

@@ -1,14 +1,7 @@
 /* test_fill_windows.c - parity of windows is that of the whole, by integers, and needs no triangle beside the window. */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "fill_case.h"
 #include "tribox_threads.h"
 
@@ -104,12 +97,10 @@ static void check_window(random_source *r, const fill_case *c, const tribox_wind
     guarded_free(scratch);
 }
 
-static void test_windows(void **state)
+CASE(test_windows)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "fill windows");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS) / (arguments_are_short(args) ? 10 : 1); round++) {
+    random_source r = random_named(args.seed, "fill windows");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS) / (arguments_are_short(&args) ? 10 : 1); round++) {
         fill_case_draw(&r, round % fill_case_scenes(), &drawn);
         crossing_oracle(&drawn.at, is_inside, is_odd);
         for (int n = 0; n < WINDOWS; n++) {
@@ -124,9 +115,8 @@ static void test_windows(void **state)
 /*
  * Windows that leave the grid are refused; those without cells have none inside, and of grids beyond one call windows are filled.
  */
-static void test_limits(void **state)
+CASE(test_limits)
 {
-    (void)state;
     const float corner[9] = {2, 2, 2, 0, 4, 0, 0, 0, 4};
     const tribox_soup soup = {
         {corner, corner + 1, corner + 2}, {corner + 3, corner + 4, corner + 5}, {corner + 6, corner + 7, corner + 8}, 1};
@@ -152,12 +142,4 @@ static void test_limits(void **state)
     assert_true(inside + 64 * (size_t) !(solid[1] & 1) == 128 && solid[0] == ~UINT64_C(0));
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_windows, &args),
-        cmocka_unit_test_prestate(test_limits, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_windows), RUN(test_limits))

@@ -3,10 +3,8 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 
 enum { PAIRS = 100000, ROUNDS = 800, TILES_MAX = 3000 };
 
@@ -77,12 +75,10 @@ static void check_share(const tile_case *c, size_t from, size_t to)
     free_lists(g);
 }
 
-static void test_lists(void **state)
+CASE(test_lists)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "tiles");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+    random_source r = random_named(args.seed, "tiles");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
         tile_case_tell(&drawn, doing, sizeof doing);
         const size_t count = tile_case_tiles(&drawn), from = (size_t)random_int(&r, (int)count + 1);
@@ -104,11 +100,10 @@ static void draw_share(random_source *r, const tile_case *c, size_t *from, size_
 }
 
 /* The lists of a share are those of the whole: EXACT, which promises it. */
-static void test_shares(void **state)
+CASE(test_shares)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "shares of tiles");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+    random_source r = random_named(args.seed, "shares of tiles");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         tile_case_draw(&r, tiles[1 + round % (sizeof tiles / sizeof tiles[0] - 1)], &drawn);
         drawn.options.accuracy = TRIBOX_EXACT;
         tile_case_tell(&drawn, doing, sizeof doing);
@@ -187,12 +182,11 @@ static tribox_status count_share(const struct many_tiles *many, const double u[3
 }
 
 /* Shares of a few tiles, which take no longer than they have to: all of them hours, if a layer or a row were looked at. */
-static void test_few_of_many(void **state)
+CASE(test_few_of_many)
 {
     enum { SHARES = 5000 };
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "few of many tiles");
-    for (size_t round = 0; round < SHARES / (arguments_are_short(args) ? 10 : 1); round++) {
+    random_source r = random_named(args.seed, "few of many tiles");
+    for (size_t round = 0; round < SHARES / (arguments_are_short(&args) ? 10 : 1); round++) {
         const struct many_tiles *const many = &many_tiles[round % (sizeof many_tiles / sizeof many_tiles[0])];
         const size_t count = tribox_tile_count(many->size, many->tile);
         const tribox_options options = {.axes = random_int(&r, 2) ? TRIBOX_AXES_BOX : TRIBOX_AXES_ALL};
@@ -215,9 +209,8 @@ static void test_few_of_many(void **state)
 }
 
 /* More triangles than a kernel is asked about at once, one in each tile of a long row; the last of them spans all the tiles. */
-static void test_long_row(void **state)
+CASE(test_long_row)
 {
-    (void)state;
     enum { TILES = 1400 };
     static float streams[9][TILES];
     static double corners[TILES][9];
@@ -255,9 +248,8 @@ static void test_long_row(void **state)
 }
 
 /* Where a number less the origin overflows, the first guess at its cell is as far off as there are cells. */
-static void test_guess_far_off(void **state)
+CASE(test_guess_far_off)
 {
-    (void)state;
     static const double at[9] = {1e298, 0, 0, 1e298, 1, 0, 1e298, 0, 1};
     static size_t starts[1025];
     const tribox_mesh mesh = {.positions = at, .vertices = 3, .count = 1, .position_bytes = 8};
@@ -267,9 +259,8 @@ static void test_guess_far_off(void **state)
         assert_int_equal(starts[t + 1], t >= 511);
 }
 
-static void test_numbers_of_tiles(void **state)
+CASE(test_numbers_of_tiles)
 {
-    (void)state;
     const uint32_t size[3] = {100, 7, 33}, most[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX}, flat[3] = {5, 0, 5};
     assert_int_equal(tribox_tile_count(size, 1), 100 * 7 * 33);
     assert_int_equal(tribox_tile_count(size, 8), 13 * 1 * 5);
@@ -283,16 +274,5 @@ static void test_numbers_of_tiles(void **state)
     assert_int_equal(tribox_tile_count(most, UINT32_MAX - 1), 8);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_lists, &args),
-        cmocka_unit_test_prestate(test_shares, &args),
-        cmocka_unit_test_prestate(test_few_of_many, &args),
-        cmocka_unit_test(test_long_row),
-        cmocka_unit_test(test_guess_far_off),
-        cmocka_unit_test_prestate(test_numbers_of_tiles, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_lists), RUN(test_shares), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off),
+        RUN(test_numbers_of_tiles))

@@ -1,10 +1,7 @@
 /* test_tiles_part.c - lists by tile of a few triangles at a time, put into one list, are those of all triangles at once. */
 #include "tile_case.h"
 
-#include <stdlib.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "tribox_threads.h"
 
 enum { ROUNDS = 300, PARTS = 5, COUNT = 20, TILE = 16, TILES = 8 };
@@ -84,13 +81,11 @@ static void check_parts(random_source *r, const tile_case *c, size_t from, size_
     tile_lists_free(whole);
 }
 
-static void test_parts(void **state)
+CASE(test_parts)
 {
     enum { FEW = 2000 };
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "parts of tiles");
-    for (size_t round = 0; round < arguments_rounds(args, ROUNDS); round++) {
+    random_source r = random_named(args.seed, "parts of tiles");
+    for (size_t round = 0; round < arguments_rounds(&args, ROUNDS); round++) {
         tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
         tile_case_tell(&drawn, doing, sizeof doing);
         const size_t count = tile_case_tiles(&drawn), from = random_below(&r, count + 1), left = count - from;
@@ -160,9 +155,8 @@ static void check_call(const call *c, bool is_double, tribox_status status)
     assert_true(!status || memcmp(list, poison, sizeof list) == 0);
 }
 
-static void test_bad_parts(void **state)
+CASE(test_bad_parts)
 {
-    (void)state;
     static const size_t bad[][2] = {{0, COUNT + 1},
                                     {1, COUNT},
                                     {COUNT, 1},
@@ -190,9 +184,8 @@ static void test_bad_parts(void **state)
     }
 }
 
-static void test_bad_rest(void **state)
+CASE(test_bad_rest)
 {
-    (void)state;
     for (int is_double = 0; is_double < 2; is_double++) {
         uint32_t list[TILES * COUNT];
         call c = right_call();
@@ -220,9 +213,8 @@ static void test_bad_rest(void **state)
 }
 
 /* Indices count in the triangles of the part alone. */
-static void test_indices(void **state)
+CASE(test_indices)
 {
-    (void)state;
     call c = right_call();
     c.first = 4;
     c.count = 6;
@@ -234,14 +226,4 @@ static void test_indices(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_parts, &args),
-        cmocka_unit_test(test_bad_parts),
-        cmocka_unit_test(test_bad_rest),
-        cmocka_unit_test(test_indices),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_parts), RUN(test_bad_parts), RUN(test_bad_rest), RUN(test_indices))

@@ -1,10 +1,9 @@
 #include "tile_case.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #include "common/contact.h"
+#include "common/harness.h"
 #include "tribox_threads.h"
 #include "voxels/grid_kinds.h"
 #include "voxels/grid_scenes_f64.h"
@@ -72,8 +71,6 @@ static void draw_doubles(random_source *r, tile_case *c)
 
 void tile_case_draw(random_source *r, uint32_t tile, tile_case *c)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     c->tile = tile ? tile : (uint32_t)random_int_between(r, 1, 40);
     c->is_double = random_int(r, 3) == 0;
     c->is_mesh = c->is_double || random_int(r, 3) == 0;
@@ -83,7 +80,7 @@ void tile_case_draw(random_source *r, uint32_t tile, tile_case *c)
         draw_floats(r, c);
     c->options = (tribox_options){.accuracy = (tribox_accuracy)(random_int(r, 2) ? 0 : random_int(r, 3)),
                                   .axes = (unsigned)(random_int(r, 3) ? 0 : random_int_between(r, 1, AXIS_SETS)),
-                                  .kernel = kernels[random_int(r, kernel_count)]};
+                                  .kernel = names[random_int(r, kernels)]};
 }
 
 void tile_case_tell(const tile_case *c, char *text, size_t length)

@@ -5,9 +5,8 @@
 #include "occupancy.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "grid_kinds.h"
 #include "triangle_kinds.h"
 
@@ -30,9 +29,7 @@ static void draw_pairs(random_source *r, size_t round)
 
 static tribox_options any_options(random_source *r, tribox_accuracy accuracy)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
-    return (tribox_options){.accuracy = accuracy, .kernel = kernels[random_int(r, kernel_count)]};
+    return (tribox_options){.accuracy = accuracy, .kernel = names[random_int(r, kernels)]};
 }
 
 static size_t ask(const tribox_soup *soup, const tribox_options *options, uint64_t *words)
@@ -50,11 +47,10 @@ static size_t ask_whole(const tribox_options *options)
 }
 
 /* Bits that are there stay, those past the end of a row too, and do not count. */
-static void test_bits_stay(void **state)
+CASE(test_bits_stay)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "bits stay");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    random_source r = random_named(args.seed, "bits stay");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r, (tribox_accuracy)(round % 2 ? 0 : random_int(&r, 3)));
         const tribox_soup soup = triangle_list_soup(&triangles);
@@ -77,11 +73,10 @@ static void test_bits_stay(void **state)
     }
 }
 
-static void test_parts(void **state)
+CASE(test_parts)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "parts");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    random_source r = random_named(args.seed, "parts");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r, TRIBOX_EXACT);
         const size_t set = ask_whole(&options);
@@ -98,11 +93,10 @@ static void test_parts(void **state)
 }
 
 /* The triangles in any order, each with its vertices in any order, and triangles that are not finite among them. */
-static void test_order(void **state)
+CASE(test_order)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "order");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    random_source r = random_named(args.seed, "order");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r, TRIBOX_EXACT);
         const size_t set = ask_whole(&options), start = (size_t)random_int(&r, (int)triangles.count);
@@ -127,15 +121,12 @@ static void test_order(void **state)
 }
 
 /* Not even over the whole grid, at any accuracy and with any axes. */
-static void test_not_finite(void **state)
+CASE(test_not_finite)
 {
-    const arguments *const args = *state;
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
-    random_source r = random_named(args->seed, "not finite");
+    random_source r = random_named(args.seed, "not finite");
     draw_grid_of_kind(&r, grid_kind_at(3), CELLS_MAX, &at);
-    for (int kernel = 0; kernel < kernel_count; kernel++)
+    for (int kernel = 0; kernel < kernels; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
                 triangles.count = 0;
@@ -145,20 +136,10 @@ static void test_not_finite(void **state)
                     u[k % 3][k / 3 % 3] = bad[k / 9 % 4];
                     triangle_list_put(&triangles, (const_vertices)u);
                 }
-                const tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .axes = axes, .kernel = kernels[kernel]};
+                const tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .axes = axes, .kernel = names[kernel]};
                 assert_int_equal(ask_whole(&options), 0);
                 assert_int_equal(occupancy_count(whole, at.words), 0);
             }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_bits_stay, &args),
-        cmocka_unit_test_prestate(test_parts, &args),
-        cmocka_unit_test_prestate(test_order, &args),
-        cmocka_unit_test_prestate(test_not_finite, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_bits_stay), RUN(test_parts), RUN(test_order), RUN(test_not_finite))

@@ -4,9 +4,7 @@
  */
 #include "occupancy.h"
 
-#include <string.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "grid_kinds.h"
 #include "cell_oracle.h"
 #include "triangle_kinds.h"
@@ -19,8 +17,6 @@ static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
 
 static void check_axes(random_source *r, request *q, unsigned axes)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     memset(expected, 0, sizeof expected);
     for (size_t t = 0; t < triangles.count; t++) {
         float u[3][3];
@@ -31,7 +27,7 @@ static void check_axes(random_source *r, request *q, unsigned axes)
         q->options = (tribox_options){.accuracy = (tribox_accuracy)accuracy,
                                       .axes = axes,
                                       .axis_order = order_digits(random_int(r, ORDERS)),
-                                      .kernel = kernels[random_int(r, kernel_count)]};
+                                      .kernel = names[random_int(r, kernels)]};
         request_ask(q, 0, triangles.count, occupied);
         for (size_t w = 0; accuracy != TRIBOX_EXACT && w < at.words; w++)
             occupied[w] &= expected[w]; /* what it sets besides is test_cells.c's business */
@@ -39,14 +35,13 @@ static void check_axes(random_source *r, request *q, unsigned axes)
     }
 }
 
-static void test_axis_sets(void **state)
+CASE(test_axis_sets)
 {
-    const arguments *const args = *state;
     size_t set[AXIS_SETS + 1] = {0};
     for (size_t s = 0; s < triangle_kind_count(); s++) {
-        random_source r = random_named(args->seed, triangle_kind_at(s)->name);
-        request q = {.scene = triangle_kind_at(s)->name, .seed = args->seed, .at = &at, .triangles = &triangles};
-        for (size_t k = 0; k < 8 * grid_kind_count() * arguments_rounds(args, PAIRS_A_ROUND); k++) {
+        random_source r = random_named(args.seed, triangle_kind_at(s)->name);
+        request q = {.scene = triangle_kind_at(s)->name, .seed = args.seed, .at = &at, .triangles = &triangles};
+        for (size_t k = 0; k < 8 * grid_kind_count() * arguments_rounds(&args, PAIRS_A_ROUND); k++) {
             draw_grid_of_kind(&r, grid_kind_at(k % grid_kind_count()), CELLS_MAX, &at);
             for (triangles.count = 0; triangles.count < (random_int(&r, 2) ? 1 : TRIANGLES);) {
                 float u[3][3];
@@ -66,12 +61,11 @@ static void test_axis_sets(void **state)
 }
 
 /* The cell oracle is trusted as far as the two other oracles agree with it. */
-static void test_judge(void **state)
+CASE(test_judge)
 {
-    const arguments *const args = *state;
     size_t overlaps = 0, asked = 0;
-    random_source r = random_named(args->seed, "judge");
-    for (size_t k = 0; k < args->pairs / 10; k++) {
+    random_source r = random_named(args.seed, "judge");
+    for (size_t k = 0; k < args.pairs / 10; k++) {
         if (k % 20 == 0)
             draw_grid_of_kind(&r, grid_kind_at(k / 20 % grid_kind_count()), CELLS_MAX, &at);
         pair_f32 pair;
@@ -90,10 +84,4 @@ static void test_judge(void **state)
     assert_in_range(overlaps, asked / 100, asked - asked / 100);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_judge, &args),
-                                       cmocka_unit_test_prestate(test_axis_sets, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_judge), RUN(test_axis_sets))

@@ -4,10 +4,7 @@
  */
 #include "occupancy.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "grid_kinds.h"
 #include "triangle_kinds.h"
 
@@ -20,28 +17,23 @@ enum {
 };
 
 typedef struct test_run {
-    const arguments *args;
     random_source r;
     request q;
     grid_planes at;
     triangle_list triangles;
     uint64_t *expected, *occupied, *one; /* words for CELLS_MAX cells */
-    const char *kernels[KERNELS_MAX];
-    int kernel_count;
     size_t runs, asked, set;
     tally conservative, fast;
 } test_run;
 
 /* Rows of one cell take a word each. */
-static test_run *test_run_make(const arguments *args)
+static test_run *test_run_make(void)
 {
     test_run *const t = calloc(1, sizeof *t);
     assert_non_null(t);
-    t->args = args;
     t->expected = occupancy_make(CELLS_MAX);
     t->occupied = occupancy_make(CELLS_MAX);
     t->one = occupancy_make(CELLS_MAX);
-    t->kernel_count = kernels_here(t->kernels);
     return t;
 }
 
@@ -56,12 +48,12 @@ static void test_run_free(test_run *t)
 static void choose(test_run *t, tribox_accuracy accuracy, int kernel)
 {
     t->q.options =
-        (tribox_options){.accuracy = accuracy, .axis_order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
+        (tribox_options){.accuracy = accuracy, .axis_order = order_digits(random_int(&t->r, ORDERS)), .kernel = names[kernel]};
 }
 
 static void check_together(test_run *t)
 {
-    for (int kernel = 0; kernel < t->kernel_count; kernel++) {
+    for (int kernel = 0; kernel < kernels; kernel++) {
         choose(t, TRIBOX_EXACT, kernel);
         request_ask(&t->q, 0, t->triangles.count, t->occupied);
         request_check_exact(&t->q, 0, t->triangles.count, t->expected, t->occupied);
@@ -77,7 +69,7 @@ static void check_alone(test_run *t)
         triangle_list_get(&t->triangles, k, u);
         memset(t->one, 0, t->at.words * sizeof *t->one);
         t->asked += occupancy_add(&t->at, (const_vertices)u, TRIBOX_AXES_ALL, t->one);
-        choose(t, TRIBOX_EXACT, random_int(&t->r, t->kernel_count));
+        choose(t, TRIBOX_EXACT, random_int(&t->r, kernels));
         request_ask(&t->q, k, 1, t->occupied);
         request_check_exact(&t->q, k, 1, t->one, t->occupied);
     }
@@ -88,7 +80,7 @@ static void check_band(test_run *t, bool is_within_fast)
     for (int accuracy = TRIBOX_CONSERVATIVE; accuracy <= TRIBOX_FAST; accuracy++) {
         if (accuracy == TRIBOX_FAST && !is_within_fast)
             continue;
-        choose(t, (tribox_accuracy)accuracy, random_int(&t->r, t->kernel_count));
+        choose(t, (tribox_accuracy)accuracy, random_int(&t->r, kernels));
         request_ask(&t->q, 0, t->triangles.count, t->occupied);
         request_check_band(&t->q, t->expected, t->occupied, accuracy == TRIBOX_FAST ? &t->fast : &t->conservative);
     }
@@ -123,8 +115,8 @@ static void draw_triangles(test_run *t, const triangle_kind *s)
 
 static void start(test_run *t, const char *name)
 {
-    t->r = random_named(t->args->seed, name);
-    t->q = (request){.scene = name, .seed = t->args->seed, .at = &t->at, .triangles = &t->triangles};
+    t->r = random_named(args.seed, name);
+    t->q = (request){.scene = name, .seed = args.seed, .at = &t->at, .triangles = &t->triangles};
     t->runs = t->asked = t->set = 0;
     t->conservative = t->fast = (tally){0};
 }
@@ -142,19 +134,18 @@ static void print_head(void)
     printf("%-16s %7s %10s %9s %12s %9s %9s %9s\n", "", "runs", "asked", "set", "cons. extra", "fast asked", "missed", "extra");
 }
 
-static int rounds(const arguments *args) { return (int)arguments_rounds(args, PAIRS_A_ROUND); }
+static int rounds(void) { return (int)arguments_rounds(&args, PAIRS_A_ROUND); }
 
-static void test_shapes(void **state)
+CASE(test_shapes)
 {
-    const arguments *const args = *state;
-    test_run *const t = test_run_make(args);
+    test_run *const t = test_run_make();
     print_head();
     for (size_t s = 0; s < triangle_kind_count(); s++) {
         const triangle_kind *const kind = triangle_kind_at(s);
-        if (args->scenes && strcmp(args->scenes, kind->name))
+        if (args.scenes && strcmp(args.scenes, kind->name))
             continue;
         start(t, kind->name);
-        for (int round = 0; round < rounds(args); round++)
+        for (int round = 0; round < rounds(); round++)
             for (size_t g = 0; g < grid_kind_count(); g++) {
                 draw_grid_of_kind(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
                 draw_triangles(t, kind);
@@ -165,12 +156,11 @@ static void test_shapes(void **state)
     test_run_free(t);
 }
 
-static void test_meshes(void **state)
+CASE(test_meshes)
 {
-    const arguments *const args = *state;
-    test_run *const t = test_run_make(args);
+    test_run *const t = test_run_make();
     start(t, "mesh");
-    for (int round = 0; round < rounds(args); round++)
+    for (int round = 0; round < rounds(); round++)
         for (size_t g = 0; g < grid_kind_count(); g++) {
             draw_grid_of_kind(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
             t->triangles.count = 0;
@@ -181,10 +171,4 @@ static void test_meshes(void **state)
     test_run_free(t);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_shapes, &args),
-                                       cmocka_unit_test_prestate(test_meshes, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_shapes), RUN(test_meshes))

@@ -3,10 +3,8 @@
  * kernel, one triangle a call and many, in windows as in the whole, by every set of axes; CONSERVATIVE and FAST never miss.
  */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "grid_scenes_f64.h"
 
 enum { PAIRS_A_ROUND = 10000, CELLS_FOR_ALL = 300, LONG = 1000 };
@@ -15,8 +13,6 @@ typedef struct trial {
     random_source r;
     window_f64 w;
     uint64_t expected[WINDOW_CELLS + 1], occupied[WINDOW_CELLS + 1];
-    const char *kernels[KERNELS_MAX];
-    int kernel_count;
 } trial;
 
 static trial test;
@@ -29,14 +25,14 @@ static size_t check_whole(trial *t, unsigned axes)
 {
     window_f64_open(&t->w);
     const size_t asked = window_f64_expect(&t->w, 0, t->w.count, axes, t->expected);
-    for (int kernel = 0; kernel < t->kernel_count; kernel++) {
-        t->w.options = (tribox_options){.axes = axes, .kernel = t->kernels[kernel]};
+    for (int kernel = 0; kernel < kernels; kernel++) {
+        t->w.options = (tribox_options){.axes = axes, .kernel = names[kernel]};
         window_f64_ask(&t->w, 0, t->w.count, t->occupied);
         window_f64_check(&t->w, 0, t->w.count, t->expected, t->occupied, true);
     }
     for (int accuracy = TRIBOX_CONSERVATIVE; accuracy <= TRIBOX_FAST; accuracy++) {
         t->w.options.accuracy = (tribox_accuracy)accuracy;
-        t->w.options.kernel = t->kernels[random_int(&t->r, t->kernel_count)];
+        t->w.options.kernel = names[random_int(&t->r, kernels)];
         window_f64_ask(&t->w, 0, t->w.count, t->occupied);
         window_f64_check(&t->w, 0, t->w.count, t->expected, t->occupied, false);
     }
@@ -48,7 +44,7 @@ static size_t check_alone(trial *t, unsigned axes)
 {
     const size_t k = (size_t)random_int(&t->r, (int)t->w.count);
     window_f64_draw(&t->w, &t->r);
-    t->w.options = (tribox_options){.axes = axes, .kernel = t->kernels[random_int(&t->r, t->kernel_count)]};
+    t->w.options = (tribox_options){.axes = axes, .kernel = names[random_int(&t->r, kernels)]};
     const size_t asked = window_f64_expect(&t->w, k, 1, axes, t->expected);
     window_f64_ask(&t->w, k, 1, t->occupied);
     window_f64_check(&t->w, k, 1, t->expected, t->occupied, true);
@@ -64,20 +60,18 @@ static void draw_triangles(trial *t)
         draw_triangle_f64(&t->r, &t->w.grid, t->w.triangle[t->w.count]);
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    const arguments *const args = *state;
     trial *const t = &test;
-    t->kernel_count = kernels_here(t->kernels);
     for (size_t s = 0; s < scene_f64_count(); s++) {
         const scene_f64 *const scene = scene_f64_at(s);
         size_t asked = 0;
-        if (args->scenes && strcmp(args->scenes, scene->name))
+        if (args.scenes && strcmp(args.scenes, scene->name))
             continue;
-        t->r = random_named(args->seed, scene->name);
+        t->r = random_named(args.seed, scene->name);
         t->w.scene = scene->name;
-        t->w.seed = args->seed;
-        for (size_t round = 0; round < arguments_rounds(args, PAIRS_A_ROUND); round++) {
+        t->w.seed = args.seed;
+        for (size_t round = 0; round < arguments_rounds(&args, PAIRS_A_ROUND); round++) {
             const unsigned axes = axis_sets[random_int(&t->r, (int)(sizeof axis_sets / sizeof axis_sets[0]))];
             draw_grid_f64(&t->r, scene, axes & TRIBOX_AXES_BOX ? 2000 : CELLS_FOR_ALL, &t->w.grid);
             draw_triangles(t);
@@ -94,17 +88,15 @@ static void test_scenes(void **state)
  * Slivers far along x, where float moves a vertex by a notable part of their height, which turns their planes: by box normals and
  * plane nothing but the doubles decides.
  */
-static void test_planes_of_slivers(void **state)
+CASE(test_planes_of_slivers)
 {
-    const arguments *const args = *state;
     trial *const t = &test;
-    t->kernel_count = kernels_here(t->kernels);
-    t->r = random_named(args->seed, "slivers");
+    t->r = random_named(args.seed, "slivers");
     t->w = (window_f64){.scene = "slivers",
-                        .seed = args->seed,
+                        .seed = args.seed,
                         .grid = {{0.3, -7, 100}, {0.1, 0.1, 0.1}, {60000, 2, 2}},
                         .at = {.size = {60000, 2, 2}}};
-    for (size_t round = 0; round < 50 * arguments_rounds(args, 100000); round++) {
+    for (size_t round = 0; round < 50 * arguments_rounds(&args, 100000); round++) {
         for (t->w.count = 0; t->w.count < 10; t->w.count++) {
             double(*const u)[3] = t->w.triangle[t->w.count];
             const double at = random_double(&t->r, 59000, 59990), height = ldexp(1, random_int_between(&t->r, -13, -5));
@@ -116,17 +108,10 @@ static void test_planes_of_slivers(void **state)
             }
         }
         window_f64_expect(&t->w, 0, t->w.count, TRIBOX_AXES_BOX | TRIBOX_AXES_PLANE, t->expected);
-        t->w.options =
-            (tribox_options){.axes = TRIBOX_AXES_BOX | TRIBOX_AXES_PLANE, .kernel = t->kernels[random_int(&t->r, t->kernel_count)]};
+        t->w.options = (tribox_options){.axes = TRIBOX_AXES_BOX | TRIBOX_AXES_PLANE, .kernel = names[random_int(&t->r, kernels)]};
         window_f64_ask(&t->w, 0, t->w.count, t->occupied);
         window_f64_check(&t->w, 0, t->w.count, t->expected, t->occupied, true);
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_scenes, &args),
-                                       cmocka_unit_test_prestate(test_planes_of_slivers, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_scenes), RUN(test_planes_of_slivers))

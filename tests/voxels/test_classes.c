@@ -9,10 +9,8 @@
 #include "occupancy.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/contact.h"
 #include "grid_kinds.h"
 
@@ -34,14 +32,11 @@ static const size_t counts[] = {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 63, 64, 65, 
 enum { COUNTS = sizeof counts / sizeof counts[0], SMALL_COUNTS = COUNTS - 4 };
 
 typedef struct test_run {
-    const arguments *args;
     random_source r;
     const char *scene;
     grid_planes at;
     triangle_list own, all; /* the triangles, and these over and over */
     uint64_t expected[WORDS_MAX], occupied[WORDS_MAX], other[WORDS_MAX];
-    const char *kernels[KERNELS_MAX];
-    int kernel_count;
     size_t soups, asked, set;
     tally conservative, fast;
 } test_run;
@@ -54,10 +49,10 @@ typedef struct cell_span {
 static request request_of(const test_run *t, const triangle_list *triangles, tribox_accuracy accuracy, int kernel)
 {
     return (request){.scene = t->scene,
-                     .seed = t->args->seed,
+                     .seed = args.seed,
                      .at = &t->at,
                      .triangles = triangles,
-                     .options = {.accuracy = accuracy, .kernel = t->kernels[kernel]}};
+                     .options = {.accuracy = accuracy, .kernel = names[kernel]}};
 }
 
 static void fail_soup(const test_run *t, const request *q, const char *what)
@@ -67,7 +62,7 @@ static void fail_soup(const test_run *t, const request *q, const char *what)
         for (int j = 0; j < 3; j++)
             fprintf(stderr, "  triangle %zu: %a %a %a\n", k, (double)t->own.coordinate[j][0][k], (double)t->own.coordinate[j][1][k],
                     (double)t->own.coordinate[j][2][k]);
-    fail_msg("scene %s, seed %llu, %zu triangles, accuracy %d, kernel %s: %s", t->scene, (unsigned long long)t->args->seed,
+    fail_msg("scene %s, seed %llu, %zu triangles, accuracy %d, kernel %s: %s", t->scene, (unsigned long long)args.seed,
              q->triangles->count, (int)q->options.accuracy, q->options.kernel, what);
 }
 
@@ -129,7 +124,7 @@ static void check_soup(test_run *t, bool is_within_fast)
     }
     t->soups++;
     t->set += occupancy_count(t->expected, t->at.words);
-    for (int kernel = 0; kernel < t->kernel_count; kernel++) {
+    for (int kernel = 0; kernel < kernels; kernel++) {
         check_exact(t, kernel);
         check_rounded(t, TRIBOX_CONSERVATIVE, kernel, true);
         check_rounded(t, TRIBOX_FAST, kernel, is_within_fast);
@@ -277,14 +272,12 @@ static void try_speck(test_run *t)
     check_soup(t, false);
 }
 
-static test_run *test_run_make(const arguments *args, const char *scene)
+static test_run *test_run_make(const char *scene)
 {
     test_run *const t = calloc(1, sizeof *t);
     assert_non_null(t);
-    t->args = args;
     t->scene = scene;
-    t->r = random_named(args->seed, scene);
-    t->kernel_count = kernels_here(t->kernels);
+    t->r = random_named(args.seed, scene);
     return t;
 }
 
@@ -295,11 +288,10 @@ static void print_tally(const test_run *t)
     assert_true(t->set > 0);
 }
 
-static void test_lengths(void **state)
+CASE(test_lengths)
 {
-    const arguments *const args = *state;
-    test_run *const t = test_run_make(args, "lengths");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS_A_ROUND); round++)
+    test_run *const t = test_run_make("lengths");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS_A_ROUND); round++)
         for (size_t y = 0; y < LENGTHS; y++)
             for (size_t z = 0; z < LENGTHS; z++)
                 try_lengths(t, (const int[]){lengths[(round + y + z) % LENGTHS], lengths[y], lengths[z]});
@@ -307,30 +299,22 @@ static void test_lengths(void **state)
     free(t);
 }
 
-static void test_mixed(void **state)
+CASE(test_mixed)
 {
-    const arguments *const args = *state;
-    test_run *const t = test_run_make(args, "mixed");
-    for (size_t round = 0; round < MIXED_A_ROUND * arguments_rounds(args, PAIRS_A_ROUND); round++)
+    test_run *const t = test_run_make("mixed");
+    for (size_t round = 0; round < MIXED_A_ROUND * arguments_rounds(&args, PAIRS_A_ROUND); round++)
         try_mixed(t);
     print_tally(t);
     free(t);
 }
 
-static void test_specks(void **state)
+CASE(test_specks)
 {
-    const arguments *const args = *state;
-    test_run *const t = test_run_make(args, "specks");
-    for (size_t round = 0; round < SPECKS_A_ROUND * arguments_rounds(args, PAIRS_A_ROUND); round++)
+    test_run *const t = test_run_make("specks");
+    for (size_t round = 0; round < SPECKS_A_ROUND * arguments_rounds(&args, PAIRS_A_ROUND); round++)
         try_speck(t);
     print_tally(t);
     free(t);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_lengths, &args), cmocka_unit_test_prestate(test_mixed, &args),
-                                       cmocka_unit_test_prestate(test_specks, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_lengths), RUN(test_mixed), RUN(test_specks))

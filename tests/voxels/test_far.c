@@ -5,13 +5,10 @@
 #include "occupancy.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "cell_oracle.h"
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/contact.h"
-#include "common/random_draws.h"
 
 enum {
     PAIRS_A_ROUND = 5000,
@@ -101,16 +98,13 @@ static size_t check_cells(const origin *where, const tribox_grid *grid, const ne
     return set;
 }
 
-static void test_far(void **state)
+CASE(test_far)
 {
-    const arguments *const args = *state;
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
-    random_source r = random_named(args->seed, "far");
-    origin where = {.scene = "far", .seed = args->seed, .function = "tribox_voxelize"};
+    random_source r = random_named(args.seed, "far");
+    origin where = {.scene = "far", .seed = args.seed, .function = "tribox_voxelize"};
     uint64_t *const occupied = occupancy_make((size_t)LONGEST * NEAR * NEAR);
     size_t set = 0;
-    for (size_t k = 0; k < TRIANGLES * arguments_rounds(args, PAIRS_A_ROUND); k++) {
+    for (size_t k = 0; k < TRIANGLES * arguments_rounds(&args, PAIRS_A_ROUND); k++) {
         tribox_grid grid;
         triangle_list c = {.count = 0};
         float u[3][3];
@@ -122,9 +116,9 @@ static void test_far(void **state)
         triangle_list_put(&c, (const_vertices)u);
         const tribox_soup soup = triangle_list_soup(&c);
         const neighbourhood n = neighbourhood_of(&grid, corner);
-        for (int kernel = 0; kernel < kernel_count; kernel++) {
+        for (int kernel = 0; kernel < kernels; kernel++) {
             tribox_report report;
-            where.options = (tribox_options){.kernel = kernels[kernel], .axes = TRIBOX_AXES_ALL};
+            where.options = (tribox_options){.kernel = names[kernel], .axes = TRIBOX_AXES_ALL};
             assert_int_equal(tribox_voxelize(&soup, &grid, NULL, &where.options, occupied, &report), TRIBOX_OK);
             assert_int_equal(report.overlapping, check_cells(&where, &grid, &n, (const_vertices)u, occupied));
             set += report.overlapping;
@@ -135,9 +129,4 @@ static void test_far(void **state)
     free(occupied);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_far, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_far))

@@ -6,9 +6,8 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "grid_kinds.h"
 
 enum { CELLS_MAX = 8000, PAIRS_A_ROUND = 100000 };
@@ -26,10 +25,9 @@ static void assert_boxes_equal(const tribox_box *a, const tribox_box *b)
     }
 }
 
-static void test_cells(void **state)
+CASE(test_cells)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "cells");
+    random_source r = random_named(args.seed, "cells");
     for (size_t round = 0; round < 30 * grid_kind_count(); round++) {
         draw_grid_of_kind(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
         for (int n = 0; n < 200; n++) {
@@ -72,11 +70,10 @@ static void draw_plane(random_source *r, double *from, double *cell, uint32_t *p
         *from = random_int(r, 2) ? 0.0 : -0.0;
 }
 
-static void test_planes(void **state)
+CASE(test_planes)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "planes");
-    for (size_t round = 0; round < 300000 * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    random_source r = random_named(args.seed, "planes");
+    for (size_t round = 0; round < 300000 * arguments_rounds(&args, PAIRS_A_ROUND); round++) {
         tribox_grid grid = grid_of(UINT32_MAX, 1, 1);
         uint32_t p;
         draw_plane(&r, &grid.origin[0], &grid.cell[0], &p);
@@ -91,9 +88,8 @@ static void test_planes(void **state)
     }
 }
 
-static void test_words(void **state)
+CASE(test_words)
 {
-    (void)state;
     static const uint32_t sizes[] = {0, 1, 2, 63, 64, 65, 127, 128, 129, 4096, 65536, UINT32_MAX - 63, UINT32_MAX};
     const size_t count = sizeof sizes / sizeof sizes[0];
     for (size_t x = 0; x < count; x++)
@@ -140,12 +136,11 @@ static void draw_fine_axis(random_source *r, tribox_grid *grid, int a)
         grid->origin[a] = -grid->origin[a] - grid->size[a] * grid->cell[a] / random_int_between(r, 1, 3);
 }
 
-static void test_fineness(void **state)
+CASE(test_fineness)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "fineness");
+    random_source r = random_named(args.seed, "fineness");
     size_t refused = 0, served = 0;
-    for (size_t round = 0; round < 60000 * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < 60000 * arguments_rounds(&args, PAIRS_A_ROUND); round++) {
         const int a = random_int(&r, 3);
         tribox_grid grid = grid_of(1, 1, 1);
         bool is_rising = true;
@@ -166,9 +161,8 @@ static void test_fineness(void **state)
 }
 
 /* As many planes as there can be: told at once. */
-static void test_longest(void **state)
+CASE(test_longest)
 {
-    (void)state;
     static const struct {
         double origin, cell;
         bool is_sound;
@@ -197,9 +191,8 @@ static void test_longest(void **state)
 }
 
 /* The last plane is not a double, the one before is; and what is no number. */
-static void test_range(void **state)
+CASE(test_range)
 {
-    (void)state;
     static const double bad_cell[] = {0, -0.0, -1, -0x1p-1074, NAN, INFINITY, -INFINITY};
     static const double bad_origin[] = {NAN, INFINITY, -INFINITY};
     for (int a = 0; a < 3; a++) {
@@ -231,13 +224,4 @@ static void test_range(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_cells, &args),   cmocka_unit_test_prestate(test_planes, &args),
-        cmocka_unit_test_prestate(test_words, &args),   cmocka_unit_test_prestate(test_fineness, &args),
-        cmocka_unit_test_prestate(test_longest, &args), cmocka_unit_test_prestate(test_range, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_cells), RUN(test_planes), RUN(test_words), RUN(test_fineness), RUN(test_longest), RUN(test_range))

@@ -3,10 +3,7 @@
  * asked about each triangle alone: all kernels, in parts that come in any order, as soups and meshes, in windows. By other axes and
  * accuracies it is the lowest of those that set the bit alone.
  */
-#include <stdlib.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "grid_kinds.h"
 #include "id_case.h"
 #include "occupancy.h"
@@ -30,7 +27,6 @@ typedef struct question {
 static question asked;
 static id_case ids_of;
 static uint64_t one[CELLS_MAX];
-static const char *kernels[KERNELS_MAX];
 
 static tribox_status ask(void *data, size_t from, size_t to, uint32_t first, uint64_t *occupied, uint32_t *ids,
                          tribox_report *report)
@@ -121,20 +117,19 @@ static void expect_alone(const question *q)
 static void check(random_source *r, const char *scene)
 {
     question *const q = &asked;
-    const int kernel_count = kernels_here(kernels);
     lay_meshes(q);
     draw_window(r, &q->at.grid, &q->window);
     expect_exact(q);
-    for (int kernel = 0; kernel < kernel_count; kernel++)
+    for (int kernel = 0; kernel < kernels; kernel++)
         for (q->form = SOUP; q->form < FORMS; q->form++) {
-            q->options = (tribox_options){.kernel = kernels[kernel]};
+            q->options = (tribox_options){.kernel = names[kernel]};
             tell(scene, q);
             id_case_check(&ids_of, r, q->triangles.count, ask, q);
         }
     q->form = SOUP;
     q->options.accuracy = (tribox_accuracy)random_int(r, 3);
     q->options.axes = (unsigned)random_int_between(r, 1, AXIS_SETS);
-    q->options.kernel = kernels[random_int(r, kernel_count)];
+    q->options.kernel = names[random_int(r, kernels)];
     tell(scene, q);
     expect_alone(q);
     id_case_check(&ids_of, r, q->triangles.count, ask, q);
@@ -152,17 +147,15 @@ static void draw_triangles(random_source *r, const triangle_kind *kind)
     }
 }
 
-static void test_kinds(void **state)
+CASE(test_kinds)
 {
-    const arguments *const args = *state;
-    catch_faults();
     for (size_t s = 0; s <= triangle_kind_count(); s++) {
         const triangle_kind *const kind = s < triangle_kind_count() ? triangle_kind_at(s) : NULL;
         const char *const scene = kind ? kind->name : "mesh";
-        random_source r = random_named(args->seed, scene);
-        if (args->scenes && strcmp(args->scenes, scene))
+        random_source r = random_named(args.seed, scene);
+        if (args.scenes && strcmp(args.scenes, scene))
             continue;
-        for (size_t round = 0; round < arguments_rounds(args, PAIRS_A_ROUND); round++)
+        for (size_t round = 0; round < arguments_rounds(&args, PAIRS_A_ROUND); round++)
             for (size_t g = 0; g < grid_kind_count(); g++) {
                 draw_grid_of_kind(&r, grid_kind_at(g), CELLS_MAX, &asked.at);
                 asked.triangles.count = 0;
@@ -176,9 +169,8 @@ static void test_kinds(void **state)
 }
 
 /* Nothing is written where numbers would reach UINT32_MAX, or there is nowhere to write. */
-static void test_refused(void **state)
+CASE(test_refused)
 {
-    (void)state;
     static const float x[6] = {0, 2, 0, 0, 2, 0};
     const tribox_soup soup = {{x, x + 1, x + 2}, {x, x + 2, x + 1}, {x, x, x}, 3};
     const tribox_mesh mesh = {.positions = x, .vertices = 2, .count = 0};
@@ -204,9 +196,4 @@ static void test_refused(void **state)
     assert_true(report.overlapping > 0 && ids[0] == UINT32_MAX - 3);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_kinds, &args), cmocka_unit_test(test_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_kinds), RUN(test_refused))

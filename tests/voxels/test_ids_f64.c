@@ -2,11 +2,7 @@
  * test_ids_f64.c - the lowest number of a triangle of doubles for each cell, in scenes that are hard for doubles, against the
  * oracle asked about each triangle alone: all kernels, in parts that come in any order, in windows as in the whole.
  */
-#include <stdio.h>
-#include <string.h>
-
-#include "common/arguments.h"
-#include "common/guard.h"
+#include "common/harness.h"
 #include "grid_scenes_f64.h"
 #include "id_case.h"
 
@@ -27,8 +23,6 @@ static tribox_status ask(void *data, size_t from, size_t to, uint32_t first, uin
 
 static void check(random_source *r)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     if (random_int(r, 2))
         window_f64_draw(&asked, r);
     else
@@ -38,25 +32,23 @@ static void check(random_source *r)
         window_f64_expect(&asked, t, 1, TRIBOX_AXES_ALL, one);
         id_case_expect(&ids_of, one, (int64_t)t);
     }
-    for (int kernel = 0; kernel < kernel_count; kernel++) {
-        asked.options = (tribox_options){.kernel = kernels[kernel]};
+    for (int kernel = 0; kernel < kernels; kernel++) {
+        asked.options = (tribox_options){.kernel = names[kernel]};
         snprintf(doing, sizeof doing, "%s of doubles, kernel %s", asked.scene, asked.options.kernel);
         id_case_check(&ids_of, r, asked.count, ask, &asked);
     }
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    const arguments *const args = *state;
-    catch_faults();
     for (size_t s = 0; s < scene_f64_count(); s++) {
         const scene_f64 *const scene = scene_f64_at(s);
-        random_source r = random_named(args->seed, scene->name);
-        if (args->scenes && strcmp(args->scenes, scene->name))
+        random_source r = random_named(args.seed, scene->name);
+        if (args.scenes && strcmp(args.scenes, scene->name))
             continue;
         asked.scene = scene->name;
-        asked.seed = args->seed;
-        for (size_t round = 0; round < arguments_rounds(args, PAIRS_A_ROUND); round++) {
+        asked.seed = args.seed;
+        for (size_t round = 0; round < arguments_rounds(&args, PAIRS_A_ROUND); round++) {
             draw_grid_f64(&r, scene, CELLS, &asked.grid);
             const bool is_few = asked.grid.size[0] > LONG || random_int(&r, 2);
             const int count = is_few ? random_int_between(&r, 1, 6) : random_int_between(&r, 20, 60);
@@ -67,9 +59,4 @@ static void test_scenes(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_scenes, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_scenes))

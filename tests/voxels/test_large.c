@@ -5,12 +5,9 @@
 #include "occupancy.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "cell_oracle.h"
-#include "common/random_draws.h"
 
 enum { POINTS = 1000, PAIRS_A_ROUND = 100000 };
 
@@ -87,8 +84,6 @@ static void check_about(const origin *where, const tribox_grid *grid, const cell
 
 static size_t try_triangle(random_source *r, origin *where, const tribox_grid *grid, uint64_t *first, uint64_t *occupied)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     const size_t words = tribox_window_words(grid->size);
     triangle_list c = {.count = 0};
     float u[3][3];
@@ -96,14 +91,14 @@ static size_t try_triangle(random_source *r, origin *where, const tribox_grid *g
     triangle_list_put(&c, (const_vertices)u);
     const tribox_soup soup = triangle_list_soup(&c);
     tribox_report report;
-    for (int kernel = 0; kernel < kernel_count; kernel++) {
+    for (int kernel = 0; kernel < kernels; kernel++) {
         uint64_t *const words_of = kernel ? occupied : first;
-        where->options = (tribox_options){.kernel = kernels[kernel], .axes = TRIBOX_AXES_ALL};
+        where->options = (tribox_options){.kernel = names[kernel], .axes = TRIBOX_AXES_ALL};
         memset(words_of, 0, words * sizeof *words_of);
         assert_int_equal(tribox_voxelize(&soup, grid, NULL, &where->options, words_of, &report), TRIBOX_OK);
         assert_int_equal(report.overlapping, occupancy_count(words_of, words));
         if (kernel && memcmp(first, occupied, words * sizeof *first))
-            fail_msg("kernels %s and %s differ", kernels[0], kernels[kernel]);
+            fail_msg("kernels %s and %s differ", names[0], names[kernel]);
     }
     const cell_oracle t = cell_oracle_make((const_vertices)u);
     for (int k = 0; k < POINTS; k++) {
@@ -114,17 +109,16 @@ static size_t try_triangle(random_source *r, origin *where, const tribox_grid *g
     return report.overlapping;
 }
 
-static void test_large(void **state)
+CASE(test_large)
 {
-    const arguments *const args = *state;
     for (size_t g = 0; g < sizeof grids / sizeof grids[0]; g++) {
         const tribox_grid *const grid = &grids[g];
-        random_source r = random_named(args->seed + g, "large");
-        origin where = {.scene = "large", .seed = args->seed, .function = "tribox_voxelize"};
+        random_source r = random_named(args.seed + g, "large");
+        origin where = {.scene = "large", .seed = args.seed, .function = "tribox_voxelize"};
         const size_t words = tribox_window_words(grid->size);
         uint64_t *const first = occupancy_make(words), *const occupied = occupancy_make(words);
         size_t set = 0;
-        for (size_t k = 0; k < 3 * arguments_rounds(args, PAIRS_A_ROUND); k++)
+        for (size_t k = 0; k < 3 * arguments_rounds(&args, PAIRS_A_ROUND); k++)
             set += try_triangle(&r, &where, grid, first, occupied);
         printf("%8u x %6u x %6u: %zu cells set\n", (unsigned)grid->size[0], (unsigned)grid->size[1], (unsigned)grid->size[2], set);
         fflush(stdout);
@@ -134,9 +128,4 @@ static void test_large(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_large, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_large))

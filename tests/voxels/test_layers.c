@@ -3,12 +3,9 @@
 #include "occupancy.h"
 
 #include <pthread.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "grid_kinds.h"
-#include "common/guard.h"
 #include "triangle_kinds.h"
 
 enum { PAIRS = 100000, ROUNDS = 500, FEW_ROUNDS = 100, CELLS_MAX = 8000, TRIANGLES = 90, THREADS_MAX = 8 };
@@ -35,11 +32,9 @@ static void draw_pairs(random_source *r, size_t round)
 
 static tribox_options any_options(random_source *r)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     return (tribox_options){.accuracy = (tribox_accuracy)random_int(r, 3),
                             .axes = (unsigned)(random_int(r, 4) ? 0 : random_int_between(r, 1, AXIS_SETS)),
-                            .kernel = kernels[random_int(r, kernel_count)]};
+                            .kernel = names[random_int(r, kernels)]};
 }
 
 static size_t ask_whole(const tribox_options *options)
@@ -76,12 +71,10 @@ static size_t ask_slab(const tribox_options *options, uint32_t first, uint32_t l
     return report.overlapping;
 }
 
-static void test_slabs(void **state)
+CASE(test_slabs)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "slabs");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+    random_source r = random_named(args.seed, "slabs");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r);
         const size_t set = ask_whole(&options);
@@ -104,7 +97,7 @@ static void test_slabs(void **state)
  * In doubles of a spacing of half a cell along x, cells are asked in blocks. Edges along y and z pass cells within rounding: where
  * that stays undecided for a cell, it may be decided for a block of them, and blocks end where layers do.
  */
-static void test_blocks(void **state)
+CASE(test_blocks)
 {
     static const double positions[][3][3] = {
         {{0x1.0000000000002p+51, 0x1.ddd9d0e63a757p+0, 0x1.4be5d3b25c99cp+2},
@@ -118,7 +111,6 @@ static void test_blocks(void **state)
          {0x1.ffffffffffff7p+50, 0x1.3233fce3949ap-2, 0x1.db7327334dd78p+2}},
     };
     const tribox_grid grid = {{0x1p51, 0, 0}, {1, 0.625, 0.75}, {8, 7, 16}};
-    (void)state;
     for (size_t t = 0; t < sizeof positions / sizeof positions[0]; t++)
         for (size_t k = 0; tribox_kernel_list(k); k++) {
             const tribox_mesh mesh = {.positions = positions[t], .vertices = 3, .count = 1, .position_bytes = 8};
@@ -170,11 +162,10 @@ static void check_threads(const tribox_options *options, uint32_t threads, size_
     assert_memory_equal(parts, whole, at.words * sizeof *parts);
 }
 
-static void test_threads(void **state)
+CASE(test_threads)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "threads");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
+    random_source r = random_named(args.seed, "threads");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / FEW_ROUNDS); round++) {
         draw_pairs(&r, round);
         tribox_options options = any_options(&r);
         options.kernel = round % 2 ? options.kernel : NULL; /* chosen by all threads at once */
@@ -184,10 +175,4 @@ static void test_threads(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_threads, &args), cmocka_unit_test_prestate(test_slabs, &args),
-                                       cmocka_unit_test(test_blocks)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_threads), RUN(test_slabs), RUN(test_blocks))

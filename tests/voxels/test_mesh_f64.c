@@ -3,13 +3,10 @@
  * the mesh and its grid are moved; rows of more cells than 2^31; and the Stanford bunny in UTM coordinates.
  */
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "occupancy.h"
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/real_meshes.h"
 #include "triangle_kinds.h"
 
@@ -110,21 +107,18 @@ static void check_mesh(const tribox_mesh *laid, const tribox_grid *grid, const c
     assert_memory_equal(occupied, expected, at.words * sizeof *occupied);
 }
 
-static void test_layouts(void **state)
+CASE(test_layouts)
 {
-    const arguments *const args = *state;
     static const double far[][3] = {
         {0, 0, 0}, {557820, 5108010, 700}, {-0x1p40, 0x1p41 + 1, 0x1p39 - 0.125}, {4.1e6, -1.13e6, 4.74e6}};
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
-    random_source r = random_named(args->seed, "layouts");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    random_source r = random_named(args.seed, "layouts");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS_A_ROUND); round++) {
         draw_lattice_mesh(&r);
         for (size_t k = 0; k < sizeof layouts / sizeof layouts[0]; k++) {
             const double *const offset = far[layouts[k].position_bytes == 8 ? random_int(&r, 4) : 0];
             const tribox_mesh laid = lay_out(&layouts[k], offset);
             const tribox_grid grid = moved_grid(offset);
-            check_mesh(&laid, &grid, kernels[random_int(&r, kernel_count)]);
+            check_mesh(&laid, &grid, names[random_int(&r, kernels)]);
         }
     }
 }
@@ -145,9 +139,8 @@ static void check_cells(const tribox_mesh *long_one, const tribox_grid *grid, ui
  * A row whose cells have numbers beyond 2^31, and triangles that leave it: a small one, and one as long as the row. A plane alone,
  * at the end of the row.
  */
-static void test_long_rows(void **state)
+CASE(test_long_rows)
 {
-    (void)state;
     static const double triangles_of[2][3][3] = {{{-7.5, 0.5, 0.5}, {9.25, 0.75, -0.5}, {3, -0.5, 0.75}},
                                                  {{-0x1p31, -0x1p29, 0.25}, {0x1p31, 0x1p29, 0.5}, {0x1p31, 0x1p29, -7}}};
     const uint32_t size = UINT32_MAX - 50, first = 0x7fffffc0, end = UINT32_MAX - 140, part = 140;
@@ -176,15 +169,14 @@ static void test_long_rows(void **state)
 }
 
 /* The longest side made 20 m, moved to a place in UTM, in cells of half a metre from its lowest corner. */
-static void test_bunny(void **state)
+CASE(test_bunny)
 {
-    const arguments *const args = *state;
     static const double offset[3] = {557820, 5108010, 700};
     char path[4096];
     mesh m;
-    if (!args->meshes)
+    if (!args.meshes)
         skip();
-    assert_in_range(snprintf(path, sizeof path, "%s/stanford-bunny.ply", args->meshes), 1, sizeof path - 1);
+    assert_in_range(snprintf(path, sizeof path, "%s/stanford-bunny.ply", args.meshes), 1, sizeof path - 1);
     assert_true(mesh_read(path, &m));
     const tribox_box bounds = mesh_bounds(&m);
     double longest = 0, (*u)[3][3] = calloc(m.count, sizeof *u);
@@ -216,13 +208,4 @@ static void test_bunny(void **state)
     mesh_free(&m);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_layouts, &args),
-        cmocka_unit_test_prestate(test_long_rows, &args),
-        cmocka_unit_test_prestate(test_bunny, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_layouts), RUN(test_long_rows), RUN(test_bunny))

@@ -2,21 +2,9 @@
  * test_stack.c - no call takes more stack than the header says, of floats or doubles, on every kernel.
  */
 #define _POSIX_C_SOURCE 200809L
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "common/arguments.h"
-#include "common/kernels_here.h"
-#include "common/random_draws.h"
+#include "common/harness.h"
 #include "common/thread_stack.h"
-#include "tribox.h"
-
-static arguments args;
 
 enum { TRIANGLES = 5000, CELLS = 130, STATED = 108 * 1024 };
 
@@ -231,26 +219,18 @@ static void check_stack(void *(*run)(void *), const char *name, tribox_options *
                  STATED);
 }
 
-static void test_stack(void **state)
+CASE(test_stack)
 {
-    (void)state;
     random_source r = random_named(args.seed, "stack");
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     if (!is_ordinary_build())
         skip();
     draw_soup(&r);
-    for (int k = 0; k < kernel_count; k++)
+    for (int k = 0; k < kernels; k++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
-            tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .kernel = kernels[k]};
+            tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .kernel = names[k]};
             for (size_t n = 0; n < sizeof calls / sizeof calls[0]; n++)
                 check_stack(calls[n].run, calls[n].name, &options);
         }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_stack)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_stack))

@@ -6,12 +6,9 @@
 #include "occupancy.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/contact.h"
-#include "common/guard.h"
-#include "common/kernels_here.h"
 #include "triangle_kinds.h"
 #include "window_f64.h"
 
@@ -223,12 +220,10 @@ static void ask(const tall_case *c, bool has_layers)
 /* By every kernel, at every accuracy. Returns the cells that overlap. */
 static size_t ask_all(tall_case *c, bool has_layers)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     const size_t set = expect(c);
-    for (int k = 0; k < kernel_count; k++)
+    for (int k = 0; k < kernels; k++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
-            c->options.kernel = kernels[k];
+            c->options.kernel = names[k];
             c->options.accuracy = (tribox_accuracy)accuracy;
             ask(c, has_layers);
         }
@@ -314,12 +309,10 @@ static void put_span(random_source *r, const tall_case *c, int a, uint32_t lengt
         w->first[2] = far / layer < last ? (uint32_t)(far / layer) + (uint32_t)random_int(r, 2) : last;
 }
 
-static void test_layers(void **state)
+CASE(test_layers)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "tall layers");
-    const size_t rounds = arguments_rounds(args, PAIRS_A_ROUND);
+    random_source r = random_named(args.seed, "tall layers");
+    const size_t rounds = arguments_rounds(&args, PAIRS_A_ROUND);
     for (size_t n = 0; n < GRIDS; n++) {
         size_t set = 0;
         for (size_t round = 0; round < rounds; round++) {
@@ -338,10 +331,8 @@ static void test_layers(void **state)
 }
 
 /* The layers that begin 2^31 words behind the first, and those about them. */
-static void test_by_hand(void **state)
+CASE(test_by_hand)
 {
-    (void)state;
-    catch_faults();
     for (size_t n = 0; n < GRIDS; n++)
         for (uint32_t step = 0; step < 4; step++) {
             open_float(&drawn, &grids[n]);
@@ -356,12 +347,10 @@ static void test_by_hand(void **state)
         }
 }
 
-static void test_windows(void **state)
+CASE(test_windows)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "tall windows");
-    const size_t rounds = arguments_rounds(args, PAIRS_A_ROUND);
+    random_source r = random_named(args.seed, "tall windows");
+    const size_t rounds = arguments_rounds(&args, PAIRS_A_ROUND);
     for (size_t n = 0; n < GRIDS + WIDE_GRIDS; n++) {
         const tall_grid *const from = n < GRIDS ? &grids[n] : &wide_grids[n - GRIDS];
         size_t set = 0;
@@ -385,12 +374,10 @@ static void open_double(tall_case *c, size_t n)
 }
 
 /* Whole layers too, where they are small. */
-static void test_doubles(void **state)
+CASE(test_doubles)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "tall in double");
-    const size_t rounds = arguments_rounds(args, PAIRS_A_ROUND);
+    random_source r = random_named(args.seed, "tall in double");
+    const size_t rounds = arguments_rounds(&args, PAIRS_A_ROUND);
     for (size_t n = 0; n < GRIDS_F64; n++) {
         size_t set = 0;
         for (size_t round = 0; round < rounds; round++) {
@@ -459,15 +446,11 @@ static void ask_bricks(const tall_case *c, size_t tile, uint64_t *words)
 }
 
 /* A tile anywhere in such grids, by one kernel at every accuracy. Triangles cross few of the tiles that lists look at. */
-static void test_bricks(void **state)
+CASE(test_bricks)
 {
-    const arguments *const args = *state;
     static uint64_t words[TILE * TILE];
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
-    catch_faults();
-    random_source r = random_named(args->seed, "tall bricks");
-    for (size_t round = 0; round < GRIDS_F64 * arguments_rounds(args, FEW_PAIRS); round++) {
+    random_source r = random_named(args.seed, "tall bricks");
+    for (size_t round = 0; round < GRIDS_F64 * arguments_rounds(&args, FEW_PAIRS); round++) {
         if (random_int(&r, 2))
             open_double(&drawn, round % GRIDS_F64);
         else
@@ -479,7 +462,7 @@ static void test_bricks(void **state)
         const size_t tile = tile_of(&drawn);
         draw_triangles(&r, &drawn, WIDEST);
         draw_axes(&r, &drawn);
-        drawn.options.kernel = kernels[random_int(&r, kernel_count)];
+        drawn.options.kernel = names[random_int(&r, kernels)];
         expect(&drawn);
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             drawn.options.accuracy = (tribox_accuracy)accuracy;
@@ -490,15 +473,4 @@ static void test_bricks(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_hand),
-        cmocka_unit_test_prestate(test_layers, &args),
-        cmocka_unit_test_prestate(test_windows, &args),
-        cmocka_unit_test_prestate(test_doubles, &args),
-        cmocka_unit_test_prestate(test_bricks, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_by_hand), RUN(test_layers), RUN(test_windows), RUN(test_doubles), RUN(test_bricks))

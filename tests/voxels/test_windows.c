@@ -5,13 +5,11 @@
 #include "occupancy.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "common/arguments.h"
+#include "common/harness.h"
 #include "common/contact.h"
 #include "common/float_environment.h"
 #include "grid_kinds.h"
-#include "common/guard.h"
 #include "triangle_kinds.h"
 
 enum {
@@ -145,10 +143,8 @@ static void draw_triangles(random_source *r)
 
 static tribox_options any_options(random_source *r)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     return (tribox_options){.axes = (unsigned)(random_int(r, 4) ? 0 : random_int_between(r, 1, AXIS_SETS)),
-                            .kernel = kernels[random_int(r, kernel_count)]};
+                            .kernel = names[random_int(r, kernels)]};
 }
 
 /* Small grids and long rows of every kind; the whole is what test_cells.c compares with the oracle. */
@@ -169,12 +165,10 @@ static void ask_whole(const tribox_options *options)
     assert_int_equal(tribox_voxelize(&soup, &at.grid, NULL, options, whole, NULL), TRIBOX_OK);
 }
 
-static void test_parts(void **state)
+CASE(test_parts)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "windows");
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+    random_source r = random_named(args.seed, "windows");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw_pairs(&r, round);
         tribox_options options = any_options(&r);
         ask_whole(&options);
@@ -280,12 +274,10 @@ static size_t ask_large(random_source *r, const tribox_window *w, const tribox_g
 }
 
 /* Every cell by tribox_overlap, where no call can write the whole. */
-static void test_large_grids(void **state)
+CASE(test_large_grids)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "windows of large grids");
-    const size_t rounds = arguments_rounds(args, PAIRS / ROUNDS);
+    random_source r = random_named(args.seed, "windows of large grids");
+    const size_t rounds = arguments_rounds(&args, PAIRS / ROUNDS);
     size_t set = 0;
     for (size_t round = 0; round < rounds; round++) {
         tribox_grid grid;
@@ -299,11 +291,9 @@ static void test_large_grids(void **state)
 }
 
 /* Windows near the origin, where floats are fine, but not the numbers of planes: they begin beyond 2^24. */
-static void test_late_windows(void **state)
+CASE(test_late_windows)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "late windows");
+    random_source r = random_named(args.seed, "late windows");
     const tribox_grid grid = {{-0x1p24, -8, -8}, {1, 1, 1}, {1 << 25, 16, 16}};
     for (size_t round = 0; round < LATE_ROUNDS; round++) {
         const uint32_t first = (1 << 24) + (1 << 14) + (uint32_t)random_int(&r, 1 << 22);
@@ -312,12 +302,11 @@ static void test_late_windows(void **state)
 }
 
 /* Whole layers have the bits of the whole at every accuracy. */
-static void test_layers(void **state)
+CASE(test_layers)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "windows of layers");
+    random_source r = random_named(args.seed, "windows of layers");
     memset(before, 0, sizeof before);
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw_pairs(&r, round);
         tribox_options options = any_options(&r);
         options.accuracy = (tribox_accuracy)random_int(&r, 3);
@@ -338,14 +327,12 @@ static void test_layers(void **state)
 }
 
 /* The caller's rounding, flushing and traps change no bit, and come back. */
-static void test_environment(void **state)
+CASE(test_environment)
 {
-    const arguments *const args = *state;
-    catch_faults();
-    random_source r = random_named(args->seed, "windows in any environment");
+    random_source r = random_named(args.seed, "windows in any environment");
     const unsigned normal = environment_get();
     memset(before, 0, sizeof before);
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / FEW_ROUNDS); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r);
         const tribox_window w = draw_window(&r, &at.grid);
@@ -382,10 +369,8 @@ static tribox_status refused(const tribox_grid *grid, const uint32_t first[3], c
     return status;
 }
 
-static void test_refusals(void **state)
+CASE(test_refusals)
 {
-    (void)state;
-    catch_faults();
     snprintf(doing, sizeof doing, "a bad window, or an empty one");
     const tribox_grid grid = {{-4, -4, -4}, {1, 1, 1}, {8, 9, 10}}, falling = {{1, 0, 0}, {0x1p-60, 1, 1}, {1 << 24, 9, 10}};
     const tribox_grid large = {{0, 0, 0}, {1, 1, 1}, {65536, 65536, 65536}};
@@ -413,13 +398,4 @@ static void test_refusals(void **state)
     assert_int_equal(refused(&grid, none, none, &(tribox_options){.kernel = "none"}), TRIBOX_NO_KERNEL);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_parts, &args),        cmocka_unit_test_prestate(test_large_grids, &args),
-        cmocka_unit_test_prestate(test_late_windows, &args), cmocka_unit_test_prestate(test_layers, &args),
-        cmocka_unit_test_prestate(test_environment, &args),  cmocka_unit_test_prestate(test_refusals, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_parts), RUN(test_large_grids), RUN(test_late_windows), RUN(test_layers), RUN(test_environment), RUN(test_refusals))
