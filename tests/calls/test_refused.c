@@ -291,6 +291,14 @@ static void bad_unlisted(int n)
     memset(a.numbers, 0, sizeof a.numbers);
 }
 
+/* Only the range that is asked for is looked at. */
+static void beside_range(int n)
+{
+    a.first = 4, a.count = COUNT - 8;
+    for (uint32_t i = 0; i < COUNT; i += i == 3 ? COUNT - 7 : 1)
+        a.orders[i] = a.index[3 * i + (uint32_t)n] = n ? UINT32_MAX : 3 * COUNT;
+}
+
 static void grid_numbers(int n)
 {
     static const double cells[] = {0, -1, NAN, INFINITY, 1e-30, -INFINITY, DBL_MAX / 4};
@@ -341,6 +349,14 @@ static void bad_window(int n)
 }
 
 static void empty_window(int n) { a.the_window.first[n % 3] = (uint32_t)n, a.the_window.size[n % 3] = 0; }
+
+/* Of a grid without end. */
+static void empty_part(int n)
+{
+    set_size(UINT32_MAX, UINT32_MAX, UINT32_MAX);
+    memcpy(a.the_window.size, a.the_grid.size, sizeof a.the_window.size);
+    a.the_window.size[n] = 0;
+}
 
 static void bad_tiles(int n)
 {
@@ -430,6 +446,7 @@ static const struct fault {
     {"list", "lists", TRIBOX_BAD_VERTEX, 4, bad_list, 0},
     {"vertex of a listed triangle", "listed", TRIBOX_BAD_VERTEX, 6, bad_listed, ALONE},
     {"vertex of another triangle", "listed", TRIBOX_OK, 3, bad_unlisted, ALONE},
+    {"numbers beside the range", "range&vertices&mesh order_in", TRIBOX_OK, 3, beside_range, ALONE},
     {"cell", "grid", TRIBOX_BAD_GRID, 21, grid_numbers, NOTHING},
     {"falling planes", "grid", TRIBOX_BAD_GRID, 3, grid_falls, ALONE | NOTHING},
     {"grid origin", "grid", TRIBOX_BAD_GRID, 12, grid_origin, NOTHING},
@@ -439,6 +456,7 @@ static const struct fault {
     {"runs", "runs", TRIBOX_BAD_GRID, 4, many_runs, ALONE},
     {"window", "window", TRIBOX_BAD_ARGUMENT, 18, bad_window, NOTHING},
     {"empty window", "-", TRIBOX_OK, SIDE + 1, empty_window, EVERY},
+    {"empty part", "window", TRIBOX_OK, 3, empty_part, ALONE},
     {"tiles", "tiles", TRIBOX_BAD_ARGUMENT, 8, bad_tiles, NOTHING},
     {"side of bricks", "lists", TRIBOX_BAD_ARGUMENT, 6, no_bricks, ALONE | NOTHING},
     {"falling starts", "lists", TRIBOX_BAD_ARGUMENT, TILES, falling_starts, ALONE},
@@ -617,6 +635,13 @@ CASE(test_bytes)
     assert_true(tribox_bricks_lists_bytes(64, 9) - tribox_bricks_lists_bytes(64, 8) >= 512 * sizeof(uint32_t));
     assert_true(tribox_window_words(endless) == SIZE_MAX && tribox_tile_count(endless, 1) == SIZE_MAX);
     assert_true(tribox_fill_labels_bytes(endless) == SIZE_MAX && tribox_index_bytes(SIZE_MAX) < SIZE_MAX);
+    assert_true(tribox_fill_bytes((const uint32_t[]){1024, 1024, 1024}) <= 1024 * 1024 / 4 + 64);
+    assert_true(sizeof(size_t) == 4 ? tribox_fill_bytes(endless) == SIZE_MAX : tribox_fill_bytes(endless) >= SIZE_MAX / 16);
+    for (uint32_t k = 0; k < 4; k++) { /* no cells, or too many runs of them */
+        const uint32_t size[3] = {k == 3 ? 3 : 9 * (k != 0), k == 3 ? 1 << 15 : 3 * (k != 1), k == 3 ? 1 << 15 : 2 * (k != 2)};
+        assert_true(tribox_fill_labels_bytes(size) == SIZE_MAX);
+    }
+    assert_int_equal(tribox_fill_join(NULL, NULL, 0, NULL, 0, 0), TRIBOX_OK);
 }
 
 static int set_up(void)

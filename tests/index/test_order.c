@@ -213,33 +213,4 @@ CASE(test_time)
     }
 }
 
-CASE(test_arguments)
-{
-    const float number[3] = {0, 1, 2};
-    float scratch[8];
-    uint32_t order[2] = {77, 78};
-    tribox_soup soup = {{number, number, number}, {number, number, number}, {number, number, number}, 2};
-    const tribox_boxes boxes = {{number, number, number}, {number, number, NULL}, 2};
-    const uint32_t indices[6] = {0, 0, 0, 0, 0, 1};
-    tribox_mesh mesh = {.positions = number, .vertices = 1, .indices = indices, .index_bytes = 4, .count = 2};
-    assert_int_equal(tribox_soup_sort(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_sort(&soup, NULL, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_sort(&soup, order, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_boxes_sort(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_boxes_sort(&boxes, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_sort(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_sort(&mesh, order, scratch), TRIBOX_BAD_VERTEX);
-    mesh.stride = 11;
-    assert_int_equal(tribox_mesh_sort(&mesh, order, scratch), TRIBOX_BAD_ARGUMENT);
-    soup.count = SIZE_MAX / 16;
-    assert_int_equal(tribox_soup_sort(&soup, order, scratch), TRIBOX_BAD_ARGUMENT);
-    soup.count = 2;
-    soup.z[1] = NULL;
-    assert_int_equal(tribox_soup_sort(&soup, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(order[0], 77);
-    assert_int_equal(order[1], 78);
-    soup.count = 0;
-    assert_int_equal(tribox_soup_sort(&soup, NULL, NULL), TRIBOX_OK);
-}
-
-PROGRAM(RUN(test_words), RUN(test_large), RUN(test_time), RUN(test_boxes_and_meshes), RUN(test_doubles), RUN(test_arguments))
+PROGRAM(RUN(test_words), RUN(test_large), RUN(test_time), RUN(test_boxes_and_meshes), RUN(test_doubles))

@@ -103,42 +103,6 @@ CASE(test_by_hand)
     }
 }
 
-CASE(test_arguments)
-{
-    random_source r = random_named(args.seed, "arguments");
-    enum { FEW = 100 };
-    order_room room = order_room_make(&r, KIND_RANDOM, FEW);
-    assert_int_equal(tribox_soup_sort_start(&room.soup, FEW, 0, room.scratch), TRIBOX_OK);
-    assert_int_equal(tribox_soup_sort_start(&room.soup, FEW, 1, room.scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_sort_start(&room.soup, 2, SIZE_MAX, room.scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_sort_start(&room.soup, 0, 1, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_sort_start(&room.soup, 0, FEW, room.scratch), TRIBOX_OK);
-    size_t before = 12345;
-    assert_int_equal(tribox_sort_cut(NULL, FEW, 0, FEW, &before), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_sort_cut(room.scratch, FEW, 1, FEW, &before), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_sort_cut(room.scratch, SIZE_MAX, 0, FEW, &before), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_sort_cut(room.scratch, FEW, 0, FEW, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(before, 12345);
-    assert_int_equal(tribox_sort_cut(room.scratch, FEW, 0, 64, &before), TRIBOX_OK);
-    assert_int_equal(before, 0);
-    assert_int_equal(tribox_sort_finish(NULL, FEW, 0, FEW, room.order), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_sort_finish(room.scratch, FEW, 0, FEW, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_sort_finish(room.scratch, FEW, 1, FEW, room.order), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_sort_finish(NULL, FEW, FEW, 0, NULL), TRIBOX_OK);
-    order_room_free(&room);
-    const float corner[3] = {1, 2, 3};
-    const double vertex[3] = {1, 2, 3};
-    const uint32_t far_away[6] = {UINT32_MAX / 24, 0, 0, 0, 0, 0};
-    const tribox_mesh mesh = {
-        .positions = vertex, .vertices = 1, .indices = far_away, .index_bytes = 4, .count = 2, .position_bytes = 8};
-    float scratch[8];
-    assert_int_equal(tribox_mesh_sort_start(&mesh, 0, 1, scratch), TRIBOX_BAD_VERTEX);
-    assert_int_equal(tribox_mesh_sort_start(&mesh, 1, 1, scratch), TRIBOX_OK);
-    const tribox_boxes boxes = {{corner, corner, corner}, {corner, corner, corner}, 2};
-    assert_int_equal(tribox_boxes_sort_start(&boxes, 1, 1, scratch), TRIBOX_OK);
-    assert_int_equal(tribox_boxes_sort_start(&boxes, 1, 2, scratch), TRIBOX_BAD_ARGUMENT);
-}
-
 static void *order_all(void *argument)
 {
     const order_room *const room = argument;
@@ -159,4 +123,4 @@ CASE(test_stack)
         fail_msg("%zu bytes of stack, %d are stated", taken, STATED);
 }
 
-PROGRAM(RUN(test_threads), RUN(test_by_hand), RUN(test_stack), RUN(test_arguments))
+PROGRAM(RUN(test_threads), RUN(test_by_hand), RUN(test_stack))

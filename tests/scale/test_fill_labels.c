@@ -223,24 +223,6 @@ CASE(test_parts)
     }
 }
 
-/* Scratch is at any address, and no byte past what was asked for is written. */
-CASE(test_scratch)
-{
-    static const uint32_t sizes[][3] = {{1, 1, 1}, {70, 4, 2}, {3, 20, 1}, {3, 1, 20}, {64, 2, 2}};
-    for (size_t n = 0; n < sizeof sizes / sizeof sizes[0]; n++)
-        for (size_t off = 0; off < 9; off++) {
-            const uint64_t occupied[64] = {UINT64_C(0xaaaaaaaaaaaaaaaa), 0, UINT64_C(0x5555555555555555)};
-            unsigned char scratch[8192];
-            uint32_t *const faces[6] = {NULL}, count;
-            const size_t bytes = tribox_fill_labels_bytes(sizes[n]);
-            assert_true(bytes + off + 8 < sizeof scratch);
-            memset(scratch, 0x5a, sizeof scratch);
-            assert_int_equal(tribox_fill_labels(sizes[n], occupied, scratch + off, faces, &count), TRIBOX_OK);
-            for (size_t at = 0; at < sizeof scratch; at++)
-                assert_true((at >= off && at < off + bytes) || scratch[at] == 0x5a);
-        }
-}
-
 /* Walls at every other cell: the most labels, and not one more run than there is scratch for. */
 CASE(test_checkerboard)
 {
@@ -280,54 +262,4 @@ CASE(test_repeated_rows)
     }
 }
 
-static void check_refused(tribox_status expected, const uint32_t *size, const void *occupied, bool has_scratch, bool has_faces,
-                          bool has_count)
-{
-    unsigned char scratch[1024], poison[1024];
-    uint32_t count = 123, *const faces[6] = {NULL};
-    uint64_t solid[8], kept[8];
-    size_t inside = 123;
-    memset(scratch, 0xa5, sizeof scratch);
-    memset(poison, 0xa5, sizeof poison);
-    memset(solid, 0xa5, sizeof solid);
-    memset(kept, 0xa5, sizeof kept);
-    assert_int_equal(
-        tribox_fill_labels(size, occupied, has_scratch ? scratch : NULL, has_faces ? faces : NULL, has_count ? &count : NULL),
-        expected);
-    assert_int_equal(tribox_fill_labelled(size, occupied, has_scratch ? scratch : NULL, has_faces ? kept : NULL,
-                                          has_count ? solid : NULL, &inside),
-                     expected);
-    assert_true(count == 123 && inside == 123);
-    assert_memory_equal(scratch, poison, sizeof scratch);
-    assert_memory_equal(solid, kept, sizeof solid);
-}
-
-CASE(test_bad_arguments)
-{
-    const uint32_t size[3] = {9, 3, 2};
-    const uint64_t some[8] = {0};
-    check_refused(TRIBOX_BAD_ARGUMENT, NULL, some, true, true, true);
-    check_refused(TRIBOX_BAD_ARGUMENT, size, NULL, true, true, true);
-    check_refused(TRIBOX_BAD_ARGUMENT, size, some, false, true, true);
-    check_refused(TRIBOX_BAD_ARGUMENT, size, some, true, false, true);
-    check_refused(TRIBOX_BAD_ARGUMENT, size, some, true, true, false);
-    for (int a = 0; a < 3; a++) {
-        uint32_t wrong[3] = {9, 3, 2};
-        wrong[a] = 0;
-        check_refused(TRIBOX_BAD_GRID, wrong, some, true, true, true);
-        assert_true(tribox_fill_labels_bytes(wrong) == SIZE_MAX);
-    }
-    static const uint32_t large[][3] = {{1, 1, UINT32_C(1) << 31},
-                                        {2, UINT32_C(1) << 16, UINT32_C(1) << 15},
-                                        {3, UINT32_C(1) << 15, UINT32_C(1) << 15},
-                                        {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
-    for (size_t n = 0; n < sizeof large / sizeof large[0]; n++) {
-        check_refused(TRIBOX_BAD_GRID, large[n], some, true, true, true);
-        assert_true(tribox_fill_labels_bytes(large[n]) == SIZE_MAX);
-    }
-    assert_int_equal(tribox_fill_join(NULL, size, 0, size, 0, 1), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_fill_join((uint32_t[1]){0}, NULL, 0, size, 0, 1), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_fill_join(NULL, NULL, 0, NULL, 0, 0), TRIBOX_OK);
-}
-
-PROGRAM(RUN(test_parts), RUN(test_checkerboard), RUN(test_repeated_rows), RUN(test_scratch), RUN(test_bad_arguments))
+PROGRAM(RUN(test_parts), RUN(test_checkerboard), RUN(test_repeated_rows))

@@ -120,30 +120,4 @@ CASE(test_crossings)
     }
 }
 
-CASE(test_environment)
-{
-    static answer expected, found;
-    random_source r = random_named(args.seed, "fill environment");
-    for (size_t round = 0; round < fill_case_scenes(); round++) {
-        draw_case(&r, round);
-        ask(&drawn, drawn.occupied, &expected);
-        const fill_mesh mesh = fill_mesh_make(&drawn);
-        for (unsigned k = 0; k < SETTINGS; k++) {
-            uint64_t scratch[2 * ORACLE_CELLS / 64 + 3];
-            const unsigned normal = environment_get();
-            environment_set(setting(k));
-            const tribox_status status =
-                fill_case_parity(&drawn, &mesh, drawn.occupied, found.solid, scratch, &found.inside, &found.odd_rows);
-            const unsigned left = environment_get();
-            environment_set(normal);
-            assert_int_equal(status, TRIBOX_OK);
-            assert_int_equal(left, setting(k));
-            assert_int_equal(found.inside, expected.inside);
-            assert_int_equal(found.odd_rows, expected.odd_rows);
-            assert_memory_equal(found.solid, expected.solid, fill_case_words(&drawn) * sizeof *found.solid);
-        }
-        fill_mesh_free(mesh);
-    }
-}
-
-PROGRAM(RUN(test_crossings), RUN(test_environment))
+PROGRAM(RUN(test_crossings))

@@ -179,31 +179,6 @@ CASE(test_cells)
     }
 }
 
-/* The caller's rounding changes nothing, and stays. */
-CASE(test_environment)
-{
-    static uint64_t words[CASE_WORDS_MAX];
-    random_source r = random_named(args.seed, "fill thin environment");
-    for (size_t round = 0; round < fill_case_scenes(); round++) {
-        draw_case(&r, round);
-        const tribox_window whole = {{0, 0, 0}, {drawn.at.size[0], drawn.at.size[1], drawn.at.size[2]}};
-        const fill_mesh mesh = fill_mesh_make(&drawn);
-        for (unsigned k = 0; k < SETTINGS; k++) {
-            tribox_report report = {0, 0};
-            const unsigned normal = environment_get();
-            memset(words, 0, sizeof words);
-            environment_set(setting(k));
-            const tribox_status status = call(&drawn, &mesh, NULL, NULL, words, &report);
-            const unsigned left = environment_get();
-            environment_set(normal);
-            assert_int_equal(status, TRIBOX_OK);
-            assert_int_equal(left, setting(k));
-            check_cells(&drawn, &whole, words, report.overlapping);
-        }
-        fill_mesh_free(mesh);
-    }
-}
-
 /* Tetrahedra with corners on planes that are neighbouring doubles, so that middles are planes. */
 CASE(test_neighbouring_planes)
 {
@@ -257,26 +232,4 @@ CASE(test_box)
     assert_int_equal(report.overlapping, 5 * 5 * 5 - 3 * 3 * 3);
 }
 
-CASE(test_refused)
-{
-    static const float zero[1] = {0};
-    const tribox_soup soup = {.x = {zero, zero, zero}, .y = {zero, zero, zero}, .z = {zero, zero, zero}, .count = 1};
-    const tribox_mesh mesh = {.positions = zero, .vertices = 0, .indices = "\1\0\1\0\1", .index_bytes = 2, .count = 1};
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {1, 1, 1}}, flat = {{0, 0, 0}, {1, 1, 0}, {1, 1, 1}};
-    const tribox_window beyond = {{1, 0, 0}, {1, 1, 1}};
-    uint64_t word = 5;
-    assert_int_equal(tribox_voxelize_thin(NULL, &grid, NULL, NULL, &word, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_voxelize_thin(&soup, NULL, NULL, NULL, &word, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_voxelize_thin(&soup, &grid, NULL, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_voxelize_thin(&soup, &grid, &beyond, NULL, &word, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_voxelize_thin(&soup, &flat, NULL, NULL, &word, NULL), TRIBOX_BAD_GRID);
-    assert_int_equal(tribox_mesh_voxelize_thin(NULL, &grid, NULL, NULL, &word, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_voxelize_thin(&mesh, &grid, NULL, NULL, &word, NULL), TRIBOX_BAD_VERTEX);
-    const tribox_options wrong[] = {{.accuracy = TRIBOX_FAST}, {.accuracy = TRIBOX_CONSERVATIVE}, {.axes = TRIBOX_AXES_BOX}};
-    for (int n = 0; n < 3; n++)
-        assert_int_equal(tribox_voxelize_thin(&soup, &grid, NULL, &wrong[n], &word, NULL), TRIBOX_BAD_OPTION);
-    assert_int_equal(tribox_voxelize_thin(&soup, &grid, NULL, &(tribox_options){.kernel = "none"}, &word, NULL), TRIBOX_NO_KERNEL);
-    assert_int_equal(word, 5);
-}
-
-PROGRAM(RUN(test_cells), RUN(test_environment), RUN(test_neighbouring_planes), RUN(test_box), RUN(test_refused))
+PROGRAM(RUN(test_cells), RUN(test_neighbouring_planes), RUN(test_box))

@@ -168,32 +168,4 @@ CASE(test_kinds)
     }
 }
 
-/* Nothing is written where numbers would reach UINT32_MAX, or there is nowhere to write. */
-CASE(test_refused)
-{
-    static const float x[6] = {0, 2, 0, 0, 2, 0};
-    const tribox_soup soup = {{x, x + 1, x + 2}, {x, x + 2, x + 1}, {x, x, x}, 3};
-    const tribox_mesh mesh = {.positions = x, .vertices = 2, .count = 0};
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {2, 2, 1}};
-    uint64_t occupied[2] = {0, 0};
-    uint32_t ids[4] = {7, 7, 7, 7};
-    tribox_report report = {12345, 0};
-    for (uint32_t n = 0; n < 3; n++)
-        assert_int_equal(tribox_voxelize_ids(&soup, UINT32_MAX - n, &grid, NULL, NULL, occupied, ids, &report),
-                         TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_voxelize_ids(&soup, 0, &grid, NULL, NULL, occupied, NULL, &report), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_voxelize_ids(&soup, 0, &grid, NULL, NULL, NULL, ids, &report), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_voxelize_ids(NULL, 0, &grid, NULL, NULL, occupied, ids, &report), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_voxelize_ids(NULL, 0, &grid, NULL, NULL, occupied, ids, &report), TRIBOX_BAD_ARGUMENT);
-    assert_true(!occupied[0] && !occupied[1] && report.overlapping == 12345);
-    assert_int_equal(tribox_mesh_voxelize_ids(&mesh, UINT32_MAX, &grid, NULL, NULL, occupied, ids, &report), TRIBOX_OK);
-    for (int n = 0; n < 4; n++)
-        assert_int_equal(ids[n], 7);
-    const tribox_grid vast = {{0, 0, 0}, {1, 1, 1}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
-    const tribox_window none = {{0, 0, 0}, {UINT32_MAX, UINT32_MAX, 0}};
-    assert_int_equal(tribox_voxelize_ids(&soup, 0, &vast, &none, NULL, occupied, ids, &report), TRIBOX_OK);
-    assert_int_equal(tribox_voxelize_ids(&soup, UINT32_MAX - 3, &grid, NULL, NULL, occupied, ids, &report), TRIBOX_OK);
-    assert_true(report.overlapping > 0 && ids[0] == UINT32_MAX - 3);
-}
-
-PROGRAM(RUN(test_kinds), RUN(test_refused))
+PROGRAM(RUN(test_kinds))
