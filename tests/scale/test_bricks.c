@@ -1,185 +1,223 @@
 /*
- * test_bricks.c - bricks have the bits of the dense grid, each once and in order, in float and double: whole, in shares, by
- * threads, in any environment, and up to where the sink ends the call.
+ * test_bricks.c - bricks have the bits of the dense grid, each once and in order; with ids, in each cell the id of the dense grid or
+ * UINT32_MAX; with lists, the triangles that tiles of one cell list. Whole and in shares, of any tiles, with lists in any order,
+ * where bricks are crowded, in any environment, and up to where the sink ends the call.
  */
-#define _POSIX_C_SOURCE 200809L
 #include "brick_book.h"
 
-#include <pthread.h>
-
-#include "common/harness.h"
 #include "common/float_environment.h"
+#include "common/harness.h"
 
-enum { PAIRS = 100000, ROUNDS = 600, FEW_ROUNDS = 100 };
+enum { PAIRS = 100000, ROUNDS = 600, WALLS = 500, IDS = 64 * CASE_WORDS, LARGE = 1024 };
 
-static tile_case drawn;
-static uint64_t expected[CASE_WORDS], occupied[CASE_WORDS], other[CASE_WORDS];
+static tile_case drawn, in_cells;
+static uint64_t occupied[CASE_WORDS], whole[CASE_WORDS], dense_bits[CASE_WORDS];
+static uint32_t dense[IDS];
 
-static const uint32_t tiles[] = {8, 16, 24, 64, 128, 1024};
+/* In a large tile there is no room for ids. */
+static const uint32_t tiles[] = {8, 16, 24, 40, 64, 128, LARGE};
 
-enum { TILES = sizeof tiles / sizeof tiles[0] };
+/* What comes with bits. */
+typedef enum brick_kind { WITH_NOTHING, WITH_IDS, WITH_LISTS, BRICK_KINDS } brick_kind;
 
-/* Returns memory for the calls of this round, with nothing behind it, as the round before with such tiles has left it. */
-static void *draw(random_source *r, size_t round)
+/* A sink that checks ids or lists, and lets a book check the rest. */
+typedef struct list_book {
+    brick_book book;
+    const tile_lists *cells;
+    tribox_accuracy accuracy;
+    int copies; /* of each triangle in lists */
+} list_book;
+
+static int take_bits(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
-    static guarded scratch[TILES];
-    guarded *const pages = &scratch[round % TILES];
-    tile_case_draw(r, tiles[round % TILES], &drawn);
-    tile_case_tell(&drawn, doing, sizeof doing);
-    if (!pages->first)
-        *pages = guarded_make(tribox_bricks_bytes(drawn.tile));
-    return guarded_tail(*pages, tribox_bricks_bytes(drawn.tile));
+    return brick_book_take(&((list_book *)data)->book, at, bits);
 }
 
-/* The bricks of a share into `to`; the cells that the report counts. */
-static size_t take_share(const tile_case *c, size_t from, size_t to, const tile_lists *lists, void *bytes, uint64_t *occupied_by)
+/* EXACT has the id of the dense grid; CONSERVATIVE, for which more triangles count, at most that; FAST may err. */
+static void check_id(const list_book *b, const uint32_t cell[3], bool is_set, uint32_t id)
 {
-    brick_book book = brick_book_open(c, occupied_by);
-    tribox_report report = {0, 0};
-    assert_int_equal(
-        tile_case_bricks(c, from, to, lists->starts + from, lists->list, bytes, &(tribox_sink){brick_book_take, &book}, &report),
-        TRIBOX_OK);
-    assert_int_equal(report.overlapping, book.cells);
-    return book.cells;
+    const uint32_t *const size = b->book.size;
+    if (!is_set) {
+        assert_true(id == UINT32_MAX);
+        return;
+    }
+    const size_t row = (size_t)cell[2] * size[1] + cell[1];
+    const bool is_dense = dense_bits[row * ((size[0] + 63) / 64) + cell[0] / 64] >> cell[0] % 64 & 1;
+    const uint32_t expected = is_dense ? dense[row * size[0] + cell[0]] : UINT32_MAX;
+    if (id >= tile_case_triangles(&drawn) || (b->accuracy == TRIBOX_EXACT && id != expected) ||
+        (b->accuracy == TRIBOX_CONSERVATIVE && id > expected))
+        fail_msg("%s: cell %u %u %u has id %u, not %u", doing, (unsigned)cell[0], (unsigned)cell[1], (unsigned)cell[2],
+                 (unsigned)id, (unsigned)expected);
+}
+
+static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
+{
+    list_book *const b = data;
+    for (uint32_t n = 0; n < 512; n++)
+        check_id(b, (const uint32_t[3]){8 * at[0] + n % 8, 8 * at[1] + n / 8 % 8, 8 * at[2] + n / 64}, bits[n / 64] >> n % 64 & 1,
+                 ids[n]);
+    return brick_book_take(&b->book, at, bits);
+}
+
+/* EXACT has the list of the cell, CONSERVATIVE may have more, FAST may err. */
+static void check_list(const list_book *b, size_t cell, const uint32_t *list, size_t count)
+{
+    const uint32_t *expected = b->cells->list + b->cells->starts[cell], *const end = b->cells->list + b->cells->starts[cell + 1];
+    for (size_t n = 0; n < count; n += (size_t)b->copies) {
+        if ((n && list[n - 1] >= list[n]) || (b->copies == 2 && list[n + 1] != list[n]))
+            fail_msg("%s: cell %zu has %u out of order", doing, cell, (unsigned)list[n]);
+        if (expected < end && list[n] == *expected)
+            expected++;
+        else if (b->accuracy == TRIBOX_EXACT)
+            fail_msg("%s: cell %zu has %u, which is not in it", doing, cell, (unsigned)list[n]);
+    }
+    if (expected < end && b->accuracy != TRIBOX_FAST)
+        fail_msg("%s: cell %zu lacks %u", doing, cell, (unsigned)*expected);
+}
+
+static int take_lists(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t starts[513], const uint32_t *list)
+{
+    list_book *const b = data;
+    const uint32_t *const size = b->book.size;
+    assert_int_equal(starts[0], 0);
+    for (uint32_t n = 0; n < 512; n++) {
+        const size_t i = 8 * at[0] + n % 8, j = 8 * at[1] + n / 8 % 8, k = 8 * at[2] + n / 64, count = starts[n + 1] - starts[n];
+        assert_int_equal(bits[n / 64] >> n % 64 & 1, count != 0);
+        if (i < size[0] && j < size[1] && k < size[2])
+            check_list(b, (k * size[1] + j) * size[0] + i, list + starts[n], count);
+    }
+    return brick_book_take(&b->book, at, bits);
+}
+
+static size_t bytes_of(brick_kind kind, size_t from, size_t to, const tile_lists *lists)
+{
+    size_t most = 0;
+    for (size_t t = from; t < to; t++)
+        most = lists->starts[t + 1] - lists->starts[t] > most ? lists->starts[t + 1] - lists->starts[t] : most;
+    return kind == WITH_IDS     ? tribox_bricks_ids_bytes(drawn.tile)
+           : kind == WITH_LISTS ? tribox_bricks_lists_bytes(drawn.tile, most)
+                                : tribox_bricks_bytes(drawn.tile);
+}
+
+/*
+ * As many bricks of a share as there are or `most`; returns how many. Scratch is at an odd place, had anything, and has nothing
+ * behind it. The sink runs in the environment of the caller.
+ */
+static size_t take_share(random_source *r, brick_kind kind, size_t from, size_t to, const tile_lists *lists, list_book book,
+                         size_t most)
+{
+    const size_t offset = (size_t)random_int(r, 64), bytes = bytes_of(kind, from, to, lists) + offset;
+    const any_sink sinks[BRICK_KINDS] = {{.bits = {take_bits, &book}}, {.ids = {take_ids, &book}}, {.lists = {take_lists, &book}}};
+    const guarded g = guarded_make(bytes);
+    void *const scratch = guarded_tail(g, bytes - offset);
+    const unsigned normal = environment_get(), set = setting((unsigned)random_int(r, SETTINGS));
+    tribox_report report;
+    if (drawn.tile < LARGE)
+        memset(scratch, random_int(r, 2) ? 0 : 0xff, bytes - offset);
+    book.book = brick_book_open(&drawn, occupied);
+    book.book.most = most;
+    book.book.environment = set;
+    environment_set(set);
+    const tribox_status status =
+        tile_case_bricks(&drawn, from, to, lists->starts + from, lists->list, scratch, &sinks[kind], &report);
+    const unsigned left = environment_get();
+    environment_set(normal);
+    assert_int_equal(left, set);
+    assert_int_equal(status, book.book.bricks >= most ? TRIBOX_STOPPED : TRIBOX_OK);
+    assert_int_equal(report.overlapping, book.book.cells);
+    guarded_free(g);
+    return book.book.bricks;
+}
+
+/* Each number of the lists of tiles once or twice, in order or not. */
+static void copy_lists(random_source *r, tile_lists *lists, size_t count, int copies, bool is_ordered)
+{
+    uint32_t *const twice = malloc(2 * lists->starts[count] * sizeof *twice + 1);
+    assert_non_null(twice);
+    for (size_t n = 0; n < lists->starts[count]; n++)
+        twice[(size_t)copies * n] = twice[(size_t)copies * n + (size_t)copies - 1] = lists->list[n];
+    free(lists->list);
+    lists->list = twice;
+    for (size_t t = 0; t <= count; t++)
+        lists->starts[t] *= (size_t)copies;
+    for (size_t t = 0; t < count; t++)
+        for (size_t n = lists->starts[t + 1]; !is_ordered && n > lists->starts[t] + 1; n--) {
+            const size_t other = lists->starts[t] + (size_t)random_int(r, (int)(n - lists->starts[t]));
+            const uint32_t number = twice[n - 1];
+            twice[n - 1] = twice[other];
+            twice[other] = number;
+        }
 }
 
 /* EXACT has all bits of the dense grid, CONSERVATIVE at least these; FAST may differ within rounding. */
-static void check_bits(const tile_case *c)
+static void check_bits(tribox_accuracy accuracy)
 {
-    if (c->options.accuracy == TRIBOX_EXACT && memcmp(occupied, expected, sizeof occupied))
+    if (accuracy == TRIBOX_EXACT && memcmp(whole, dense_bits, sizeof whole))
         fail_msg("%s: the bits are not those of the dense grid", doing);
-    for (size_t w = 0; w < CASE_WORDS && c->options.accuracy == TRIBOX_CONSERVATIVE; w++)
-        assert_true((expected[w] & ~occupied[w]) == 0);
+    for (size_t w = 0; w < CASE_WORDS && accuracy == TRIBOX_CONSERVATIVE; w++)
+        assert_true((dense_bits[w] & ~whole[w]) == 0);
 }
 
-static void expect_dense(const tile_case *c)
+static void check(random_source *r)
 {
-    const tribox_options exact = {.axes = c->options.axes, .kernel = "scalar"};
-    tile_case_dense(c, &exact, expected);
+    const size_t count = tile_case_tiles(&drawn);
+    list_book book = {.accuracy = drawn.options.accuracy, .copies = random_int(r, 4) ? 1 : 2};
+    tile_lists lists = tile_case_lists(&drawn, 0, count);
+    in_cells = drawn;
+    in_cells.tile = 1;
+    in_cells.options = (tribox_options){.axes = drawn.options.axes, .kernel = "scalar"};
+    const tile_lists cells = tile_case_lists(&in_cells, 0, tile_case_tiles(&in_cells));
+    book.cells = &cells;
+    memset(dense_bits, 0, sizeof dense_bits);
+    tile_case_dense_ids(&drawn, &in_cells.options, dense_bits, dense);
+    memset(occupied, 0, sizeof occupied);
+    const size_t bricks = take_share(r, WITH_NOTHING, 0, count, &lists, book, SIZE_MAX);
+    memcpy(whole, occupied, sizeof whole);
+    check_bits(book.accuracy);
+    copy_lists(r, &lists, count, book.copies, random_int(r, 2));
+    const int kinds = drawn.tile == LARGE ? WITH_IDS : BRICK_KINDS;
+    for (int kind = 0; kind < kinds; kind++) {
+        memset(occupied, 0, sizeof occupied);
+        for (size_t from = 0, to; from < count; from = to) {
+            to = random_int(r, 2) ? count : from + 1 + (size_t)random_int(r, (int)(count - from));
+            take_share(r, (brick_kind)kind, from, to, &lists, book, SIZE_MAX);
+        }
+        assert_memory_equal(occupied, whole, sizeof whole);
+    }
+    const size_t most = bricks ? 1 + random_below(r, bricks) : 1;
+    assert_int_equal(take_share(r, (brick_kind)random_int(r, kinds), 0, count, &lists, book, most), bricks ? most : 0);
+    tile_lists_free(cells);
+    tile_lists_free(lists);
 }
 
 CASE(test_dense)
 {
-    random_source r = random_named(args.seed, "bricks");
+    random_source r = random_named(args.seed, "kinds of bricks");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
-        void *const scratch = draw(&r, round);
-        const size_t count = tile_case_tiles(&drawn);
-        const tile_lists lists = tile_case_lists(&drawn, 0, count);
-        size_t sum = 0;
-        expect_dense(&drawn);
-        memset(occupied, 0, sizeof occupied);
-        const size_t cells = take_share(&drawn, 0, count, &lists, scratch, occupied);
-        check_bits(&drawn);
-        memset(other, 0, sizeof other);
-        for (size_t from = 0, to; from < count; from = to) {
-            to = from + 1 + (size_t)random_int(&r, (int)(count - from));
-            sum += take_share(&drawn, from, to, &lists, scratch, other);
-        }
-        assert_int_equal(sum, cells);
-        assert_memory_equal(other, occupied, sizeof other);
-        tile_lists_free(lists);
+        tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
+        tile_case_tell(&drawn, doing, sizeof doing);
+        check(&r);
     }
 }
 
-/* A sink that ends the call after any number of bricks, of all there are as well. */
-CASE(test_stops)
+/* So many walls through each brick that their pieces do not fit: by parts of a tile, down to a brick that is done twice. */
+CASE(test_crowded)
 {
-    random_source r = random_named(args.seed, "stops");
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / FEW_ROUNDS); round++) {
-        void *const scratch = draw(&r, round);
-        const size_t count = tile_case_tiles(&drawn);
-        const tile_lists lists = tile_case_lists(&drawn, 0, count);
-        brick_book whole = brick_book_open(&drawn, NULL), book = whole;
-        tribox_report report = {0, 0};
-        assert_int_equal(
-            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, scratch, &(tribox_sink){brick_book_take, &whole}, &report),
-            TRIBOX_OK);
-        if (whole.bricks) {
-            book.most = 1 + (size_t)random_int(&r, (int)whole.bricks);
-            assert_int_equal(tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, scratch,
-                                              &(tribox_sink){brick_book_take, &book}, &report),
-                             TRIBOX_STOPPED);
-            assert_int_equal(book.bricks, book.most);
-            assert_int_equal(report.overlapping, book.cells);
+    random_source r = random_named(args.seed, "crowded bricks");
+    for (int n = 0; n < 8; n++) {
+        tile_case_draw(&r, n % 2 ? 8 : 24, &drawn);
+        drawn.is_double = drawn.is_mesh = false;
+        drawn.options = (tribox_options){.kernel = drawn.options.kernel};
+        drawn.at.grid = (tribox_grid){{0, 0, 0}, {1, 1, 1}, {24, 16, 20}};
+        drawn.triangles.count = 0;
+        for (int wall = 0; wall < (n < 6 ? WALLS : 20); wall++) {
+            float u[3][3] = {{0, -40, -40}, {0, 90, -40}, {0, -40, 90}};
+            for (int v = 0; v < 3; v++)
+                u[v][0] = (float)random_int(&r, wall % 4 ? 6 : 90) / 4;
+            triangle_list_put(&drawn.triangles, (const_vertices)u);
         }
-        tile_lists_free(lists);
+        check(&r);
     }
 }
 
-/* Any rounding, flushes and traps: the same bits, and the sink runs in what the caller has set. */
-CASE(test_environment)
-{
-    const unsigned normal = environment_get();
-    random_source r = random_named(args.seed, "environment");
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / FEW_ROUNDS); round++) {
-        void *const scratch = draw(&r, round);
-        const size_t count = tile_case_tiles(&drawn);
-        const tile_lists lists = tile_case_lists(&drawn, 0, count);
-        memset(expected, 0, sizeof expected);
-        take_share(&drawn, 0, count, &lists, scratch, expected);
-        const unsigned set = setting((unsigned)random_int(&r, SETTINGS));
-        brick_book book = brick_book_open(&drawn, occupied);
-        tribox_report report = {0, 0};
-        book.environment = set;
-        memset(occupied, 0, sizeof occupied);
-        environment_set(set);
-        const tribox_status counted = tile_case_count(&drawn, 0, count, lists.starts);
-        const tribox_status status =
-            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, scratch, &(tribox_sink){brick_book_take, &book}, &report);
-        const unsigned left = environment_get();
-        environment_set(normal);
-        assert_int_equal(counted, TRIBOX_OK);
-        assert_int_equal(status, TRIBOX_OK);
-        assert_int_equal(left, set);
-        assert_memory_equal(occupied, expected, sizeof occupied);
-        tile_lists_free(lists);
-    }
-}
-
-typedef struct worker {
-    pthread_t thread;
-    size_t from, to;
-    tile_lists lists;
-    uint64_t *occupied;
-} worker;
-
-/* A thread makes the lists of its share, and its bricks. */
-static void *work(void *argument)
-{
-    worker *const w = argument;
-    void *const bytes = malloc(tribox_bricks_bytes(drawn.tile));
-    brick_book book = brick_book_open(&drawn, w->occupied);
-    w->lists = tile_case_lists(&drawn, w->from, w->to);
-    assert_non_null(bytes);
-    assert_int_equal(tile_case_bricks(&drawn, w->from, w->to, w->lists.starts, w->lists.list, bytes,
-                                      &(tribox_sink){brick_book_take, &book}, NULL),
-                     TRIBOX_OK);
-    free(bytes);
-    return NULL;
-}
-
-CASE(test_threads)
-{
-    random_source r = random_named(args.seed, "threads");
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / FEW_ROUNDS); round++) {
-        draw(&r, round);
-        const size_t count = tile_case_tiles(&drawn), middle = (size_t)random_int(&r, (int)count + 1);
-        worker workers[2] = {{.from = 0, .to = middle, .occupied = occupied}, {.from = middle, .to = count, .occupied = other}};
-        expect_dense(&drawn);
-        memset(occupied, 0, sizeof occupied);
-        memset(other, 0, sizeof other);
-        for (int t = 0; t < 2; t++)
-            assert_int_equal(pthread_create(&workers[t].thread, NULL, work, &workers[t]), 0);
-        for (int t = 0; t < 2; t++) {
-            assert_int_equal(pthread_join(workers[t].thread, NULL), 0);
-            tile_lists_free(workers[t].lists);
-        }
-        for (size_t w = 0; w < CASE_WORDS; w++) {
-            assert_true((occupied[w] & other[w]) == 0);
-            occupied[w] |= other[w];
-        }
-        check_bits(&drawn);
-    }
-}
-
-PROGRAM(RUN(test_dense), RUN(test_stops), RUN(test_environment), RUN(test_threads))
+PROGRAM(RUN(test_dense), RUN(test_crowded))

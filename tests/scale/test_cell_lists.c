@@ -10,10 +10,8 @@ static tile_case drawn;
 
 static tribox_status list(const tile_case *c, const tribox_window *window, size_t *starts, uint32_t *numbers)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = tile_case_mesh(c);
-    return c->is_mesh ? tribox_mesh_cell_lists(&mesh, tile_case_grid(c), window, &c->options, starts, numbers)
-                      : tribox_cell_lists(&soup, tile_case_grid(c), window, &c->options, starts, numbers);
+    const soup_or_mesh of = tile_case_asked(c);
+    return CALL(cell_lists, &of, tile_case_grid(c), window, &c->options, starts, numbers);
 }
 
 static size_t cells_of(const uint32_t size[3]) { return (size_t)size[0] * size[1] * size[2]; }
@@ -167,33 +165,13 @@ CASE(test_far)
     }
 }
 
-CASE(test_refused)
+/* As many triangles as there are addresses for, and one more. */
+CASE(test_sums)
 {
-    const float three[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const uint32_t wrong[3] = {0, 1, 3};
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}}, flat = {{0, 0, 0}, {1, 0, 1}, {4, 4, 4}};
-    const tribox_grid large = {{0, 0, 0}, {1, 1, 1}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
-    const tribox_window beyond = {{2, 0, 0}, {3, 1, 1}}, none = {{4, 4, 4}, {0, 0, 0}};
-    tribox_mesh mesh = {.positions = three, .vertices = 3, .count = 1};
-    size_t starts[65] = {7};
-    assert_int_equal(tribox_mesh_cell_lists(NULL, &grid, NULL, NULL, starts, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_cell_lists(&mesh, NULL, NULL, NULL, starts, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_cell_lists(&mesh, &grid, NULL, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_cell_lists(&mesh, &grid, &beyond, NULL, starts, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_cell_lists(&mesh, &large, NULL, NULL, starts, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_cell_lists(&mesh, &flat, NULL, NULL, starts, NULL), TRIBOX_BAD_GRID);
-    assert_int_equal(tribox_mesh_cell_lists(&mesh, &grid, NULL, &(tribox_options){.axes = 8}, starts, NULL), TRIBOX_BAD_OPTION);
-    mesh.indices = wrong;
-    mesh.index_bytes = 4;
-    assert_int_equal(tribox_mesh_cell_lists(&mesh, &grid, NULL, NULL, starts, NULL), TRIBOX_BAD_VERTEX);
-    assert_int_equal(starts[0], 7);
-    mesh.indices = NULL;
-    assert_int_equal(tribox_mesh_cell_lists(&mesh, &grid, &none, NULL, starts, NULL), TRIBOX_OK);
-    assert_int_equal(starts[0], 0);
-    for (size_t more = 0; more < 2; more++) { /* as many triangles as there are addresses for, and one more */
+    for (size_t more = 0; more < 2; more++) {
         size_t counts[] = {9, SIZE_MAX / 8, SIZE_MAX / 8 + 1 + more, 0};
         assert_int_equal(tribox_sum_counts(counts, 3), !more);
     }
 }
 
-PROGRAM(RUN(test_windows), RUN(test_far), RUN(test_refused))
+PROGRAM(RUN(test_windows), RUN(test_far), RUN(test_sums))

@@ -1,4 +1,7 @@
-/* test_tiles.c - the triangles listed for each tile are those that overlap its box, float and double, in whole grids and shares. */
+/*
+ * test_tiles.c - the triangles listed for each tile are those that overlap its box, float and double, in whole grids and shares;
+ * lists of a few triangles at a time, put into one, are those of all at once.
+ */
 #include "tile_case.h"
 
 #include <float.h>
@@ -6,7 +9,7 @@
 
 #include "common/harness.h"
 
-enum { PAIRS = 100000, ROUNDS = 800, TILES_MAX = 3000 };
+enum { PAIRS = 100000, ROUNDS = 800, PART_ROUNDS = 300, TILES_MAX = 3000, PARTS = 5 };
 
 static tile_case drawn;
 
@@ -26,14 +29,14 @@ static guarded_lists make_lists(const tile_case *c, size_t from, size_t to)
     g.starts_pages = guarded_make(bytes);
     g.starts = guarded_tail(g.starts_pages, bytes);
     memset(g.starts, 0xa5, bytes);
-    assert_int_equal(tile_case_count(c, from, to, g.starts), TRIBOX_OK);
+    assert_int_equal(tile_case_list(c, from, to, g.starts, NULL), TRIBOX_OK);
     const size_t length = g.starts[to - from];
     size_t *const counted = malloc(bytes);
     assert_non_null(counted);
     memcpy(counted, g.starts, bytes);
     g.list_pages = guarded_make(length ? length * sizeof *g.list : 1);
     g.list = guarded_tail(g.list_pages, length * sizeof *g.list);
-    assert_int_equal(tile_case_fill(c, from, to, g.starts, g.list), TRIBOX_OK);
+    assert_int_equal(tile_case_list(c, from, to, g.starts, g.list), TRIBOX_OK);
     assert_memory_equal(g.starts, counted, bytes);
     free(counted);
     return g;
@@ -166,19 +169,12 @@ static tribox_status count_share(const struct many_tiles *many, const double u[3
 {
     const uint32_t *const size = many->size;
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {size[0], size[1], size[2]}};
-    const tribox_mesh mesh = {.positions = u, .vertices = 3, .count = 1, .position_bytes = 8};
+    const tribox_tiles share = {many->tile, from, to - from};
     float number[9];
-    tribox_soup soup = {.count = 1};
     for (int n = 0; n < 9; n++)
         number[n] = (float)u[n % 3][n / 3];
-    for (int v = 0; v < 3; v++) {
-        soup.x[v] = number + v;
-        soup.y[v] = number + 3 + v;
-        soup.z[v] = number + 6 + v;
-    }
-    const tribox_tiles share = {many->tile, from, to - from};
-    return many->is_double ? tribox_mesh_tile_lists(&mesh, &grid, &share, options, starts, NULL)
-                           : tribox_tile_lists(&soup, &grid, &share, options, starts, NULL);
+    const soup_or_mesh of = {soup_of_rows(number, 1, 1), mesh_of_corners(u, 1, 8), many->is_double};
+    return CALL(tile_lists, &of, &grid, &share, options, starts, NULL);
 }
 
 /* Shares of a few tiles, which take no longer than they have to: all of them hours, if a layer or a row were looked at. */
@@ -218,28 +214,18 @@ CASE(test_long_row)
     static uint32_t list[2 * TILES];
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {TILES, 1, 1}};
     const tribox_tiles all = {1, 0, TILES};
-    tribox_soup soup = {.count = TILES};
-    for (int v = 0; v < 3; v++) {
-        soup.x[v] = streams[3 * v];
-        soup.y[v] = streams[3 * v + 1];
-        soup.z[v] = streams[3 * v + 2];
-    }
     for (int i = 0; i < TILES; i++)
         for (int n = 0; n < 9; n++) {
             corners[i][n] = n % 3 ? 0.1 * n : i == TILES - 1 && n == 0 ? 0.5 : i + 0.25 + 0.05 * n;
-            streams[n][i] = (float)corners[i][n];
+            streams[n % 3 * 3 + n / 3][i] = (float)corners[i][n];
         }
-    const tribox_mesh mesh = {.positions = corners, .vertices = 3 * TILES, .count = TILES, .position_bytes = 8};
     for (const char *const *kernel = (const char *[]){"scalar", tribox_kernel_name(NULL), NULL}; *kernel; kernel++)
         for (int is_double = 0; is_double < 2; is_double++) {
+            const soup_or_mesh of = {soup_of_rows(streams[0], TILES, TILES), mesh_of_corners(corners, TILES, 8), is_double};
             const tribox_options options = {.kernel = *kernel};
-            assert_int_equal(is_double ? tribox_mesh_tile_lists(&mesh, &grid, &all, &options, starts, NULL)
-                                       : tribox_tile_lists(&soup, &grid, &all, &options, starts, NULL),
-                             TRIBOX_OK);
+            assert_int_equal(CALL(tile_lists, &of, &grid, &all, &options, starts, NULL), TRIBOX_OK);
             assert_int_equal(starts[TILES], 2 * TILES - 1);
-            assert_int_equal(is_double ? tribox_mesh_tile_lists(&mesh, &grid, &all, &options, starts, list)
-                                       : tribox_tile_lists(&soup, &grid, &all, &options, starts, list),
-                             TRIBOX_OK);
+            assert_int_equal(CALL(tile_lists, &of, &grid, &all, &options, starts, list), TRIBOX_OK);
             for (uint32_t t = 0; t < TILES; t++) {
                 assert_int_equal(list[starts[t]], t);
                 assert_int_equal(list[starts[t + 1] - 1], TILES - 1);
@@ -274,5 +260,89 @@ CASE(test_numbers_of_tiles)
     assert_int_equal(tribox_tile_count(most, UINT32_MAX - 1), 8);
 }
 
-PROGRAM(RUN(test_lists), RUN(test_shares), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off),
+/* Some of the triangles, and the places of each part, in memory that ends where it has to. */
+typedef struct part {
+    size_t first, count;
+    guarded pages;
+    size_t *places, *counted;
+} part;
+
+/* Parts in a row, empty ones too, which begin and end anywhere. */
+static void draw_parts(random_source *r, size_t count, part *parts)
+{
+    size_t at = 0;
+    for (int n = 0; n < PARTS; n++) {
+        const size_t left = count - at;
+        parts[n] = (part){.first = at, .count = n == PARTS - 1 ? left : random_below(r, left + 1)};
+        at += parts[n].count;
+    }
+}
+
+static void count_part(const tile_case *c, size_t from, size_t to, part *p)
+{
+    const size_t bytes = (to - from) * sizeof *p->places;
+    p->pages = guarded_make(bytes ? bytes : 1);
+    p->places = guarded_tail(p->pages, bytes);
+    assert_non_null(p->counted = malloc(bytes + 1));
+    memset(p->places, 0xa5, bytes);
+    assert_int_equal(tile_case_part(c, p->first, p->count, from, to, p->places, NULL), TRIBOX_OK);
+    memcpy(p->counted, p->places, bytes);
+}
+
+/* In each tile the parts follow each other. */
+static void place_parts(part *parts, size_t count, const size_t *starts)
+{
+    for (size_t t = 0; t < count; t++) {
+        size_t place = starts[t];
+        for (int n = 0; n < PARTS; n++) {
+            parts[n].places[t] = place;
+            place += parts[n].counted[t];
+        }
+        if (place != starts[t + 1])
+            fail_msg("%s: of the %zu triangles of tile %zu of the share, parts have %zu", doing, starts[t + 1] - starts[t], t,
+                     place - starts[t]);
+    }
+}
+
+/* The last part first: places alone tell where each goes. */
+static void check_parts(random_source *r, const tile_case *c, size_t from, size_t to)
+{
+    part parts[PARTS];
+    const tile_lists whole = tile_case_lists(c, from, to);
+    const size_t length = whole.starts[to - from];
+    const guarded pages = guarded_make(length ? length * sizeof(uint32_t) : 1);
+    uint32_t *const list = guarded_tail(pages, length * sizeof *list);
+    draw_parts(r, tile_case_triangles(c), parts);
+    for (int n = 0; n < PARTS; n++)
+        count_part(c, from, to, &parts[n]);
+    place_parts(parts, to - from, whole.starts);
+    memset(list, 0xa5, length * sizeof *list);
+    for (int n = PARTS; n-- > 0;)
+        assert_int_equal(tile_case_part(c, parts[n].first, parts[n].count, from, to, parts[n].places, list), TRIBOX_OK);
+    if (memcmp(list, whole.list, length * sizeof *list) != 0)
+        fail_msg("%s: parts do not make up the list of tiles %zu to %zu", doing, from, to);
+    for (size_t t = 0; t < to - from; t++)
+        assert_int_equal(parts[PARTS - 1].places[t], whole.starts[t + 1]);
+    for (int n = 0; n < PARTS; n++) {
+        free(parts[n].counted);
+        guarded_free(parts[n].pages);
+    }
+    guarded_free(pages);
+    tile_lists_free(whole);
+}
+
+CASE(test_parts)
+{
+    enum { FEW = 2000 };
+    random_source r = random_named(args.seed, "parts of tiles");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / PART_ROUNDS); round++) {
+        tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
+        tile_case_tell(&drawn, doing, sizeof doing);
+        const size_t count = tile_case_tiles(&drawn), from = random_below(&r, count + 1), left = count - from;
+        check_parts(&r, &drawn, 0, count < FEW ? count : FEW);
+        check_parts(&r, &drawn, from, from + random_below(&r, (left < FEW ? left : FEW) + 1));
+    }
+}
+
+PROGRAM(RUN(test_lists), RUN(test_shares), RUN(test_parts), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off),
         RUN(test_numbers_of_tiles))

@@ -4,7 +4,6 @@
 
 #include "common/contact.h"
 #include "common/harness.h"
-#include "tribox_threads.h"
 #include "voxels/grid_kinds.h"
 #include "voxels/grid_scenes_f64.h"
 #include "voxels/triangle_kinds.h"
@@ -98,67 +97,63 @@ const uint32_t *tile_case_size(const tile_case *c) { return c->is_double ? c->wi
 size_t tile_case_triangles(const tile_case *c) { return c->is_double ? c->window.count : c->triangles.count; }
 size_t tile_case_tiles(const tile_case *c) { return tribox_tile_count(tile_case_size(c), c->tile); }
 
-/* Of doubles, or of the floats of the soup. */
-tribox_mesh tile_case_mesh(const tile_case *c)
+soup_or_mesh tile_case_asked(const tile_case *c)
 {
-    const window_f64 *const w = &c->window;
-    const size_t count = tile_case_triangles(c);
-    return (tribox_mesh){.positions = c->is_double ? (const void *)w->triangle : c->corners,
-                         .vertices = 3 * count,
-                         .count = count,
-                         .position_bytes = c->is_double ? 8 : 4};
+    return (soup_or_mesh){.soup = triangle_list_soup(&c->triangles),
+                          .mesh = mesh_of_corners(c->is_double ? (const void *)c->window.triangle : c->corners,
+                                                  tile_case_triangles(c), c->is_double ? 8 : 4),
+                          .is_mesh = c->is_mesh};
+}
+
+soup_or_mesh tile_case_judge(const tile_case *c)
+{
+    soup_or_mesh of = tile_case_asked(c);
+    of.is_mesh = c->is_double;
+    return of;
 }
 
 const tribox_grid *tile_case_grid(const tile_case *c) { return c->is_double ? &c->window.grid : &c->at.grid; }
 
-static tribox_status list(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *numbers)
+tribox_status tile_case_list(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = tile_case_mesh(c);
+    const soup_or_mesh of = tile_case_asked(c);
     const tribox_tiles tiles = {c->tile, from, to - from};
-    return c->is_mesh ? tribox_mesh_tile_lists(&mesh, tile_case_grid(c), &tiles, &c->options, starts, numbers)
-                      : tribox_tile_lists(&soup, tile_case_grid(c), &tiles, &c->options, starts, numbers);
-}
-
-tribox_status tile_case_count(const tile_case *c, size_t from, size_t to, size_t *starts)
-{
-    return list(c, from, to, starts, NULL);
-}
-
-tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *numbers)
-{
-    return list(c, from, to, starts, numbers);
+    return CALL(tile_lists, &of, tile_case_grid(c), &tiles, &c->options, starts, list);
 }
 
 tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, size_t from, size_t to, size_t *places, uint32_t *list)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = tile_case_mesh(c);
+    const soup_or_mesh of = tile_case_asked(c);
     const tribox_tiles tiles = {c->tile, from, to - from};
-    return c->is_mesh ? tribox_mesh_tile_lists_part(&mesh, first, count, tile_case_grid(c), &tiles, &c->options, places, list)
-                      : tribox_tile_lists_part(&soup, first, count, tile_case_grid(c), &tiles, &c->options, places, list);
+    return CALL(tile_lists_part, &of, first, count, tile_case_grid(c), &tiles, &c->options, places, list);
 }
 
-tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *numbers,
-                               void *scratch, const tribox_sink *sink, tribox_report *report)
+tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
+                               void *scratch, const any_sink *sink, tribox_report *report)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = tile_case_mesh(c);
+    const soup_or_mesh of = tile_case_asked(c);
+    const tribox_grid *const grid = tile_case_grid(c);
     const tribox_tiles tiles = {c->tile, from, to - from};
-    return c->is_mesh ? tribox_mesh_bricks(&mesh, tile_case_grid(c), &tiles, starts, numbers, &c->options, scratch, sink, report)
-                      : tribox_bricks(&soup, tile_case_grid(c), &tiles, starts, numbers, &c->options, scratch, sink, report);
+    if (sink->ids.take)
+        return CALL(bricks_ids, &of, grid, &tiles, starts, list, &c->options, scratch, &sink->ids, report);
+    if (sink->lists.take)
+        return CALL(bricks_lists, &of, grid, &tiles, starts, list, &c->options, scratch, &sink->lists, report);
+    return CALL(bricks, &of, grid, &tiles, starts, list, &c->options, scratch, &sink->bits, report);
 }
 
 size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = tile_case_mesh(c);
+    const soup_or_mesh of = tile_case_judge(c);
     tribox_report report;
     memset(occupied, 0, CASE_WORDS * sizeof *occupied);
-    const tribox_status status = c->is_double ? tribox_mesh_voxelize(&mesh, tile_case_grid(c), NULL, options, occupied, &report)
-                                              : tribox_voxelize(&soup, tile_case_grid(c), NULL, options, occupied, &report);
-    assert_int_equal(status, TRIBOX_OK);
+    assert_int_equal(CALL(voxelize, &of, tile_case_grid(c), NULL, options, occupied, &report), TRIBOX_OK);
     return report.overlapping;
+}
+
+void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint64_t *occupied, uint32_t *ids)
+{
+    const soup_or_mesh of = tile_case_judge(c);
+    assert_int_equal(CALL(voxelize_ids, &of, 0, tile_case_grid(c), NULL, options, occupied, ids, NULL), TRIBOX_OK);
 }
 
 /* The lowest and the highest planes of a tile's cells. */
@@ -174,8 +169,7 @@ static void find_cells(const tile_case *c, size_t tile, uint32_t low[3], uint32_
 
 void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *options, uint64_t *mask)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = tile_case_mesh(c);
+    const soup_or_mesh of = tile_case_judge(c);
     uint32_t low[3], high[3];
     tribox_box box;
     find_cells(c, tile, low, high);
@@ -183,18 +177,16 @@ void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *op
         box.lo[a] = window_f64_plane(tile_case_grid(c), a, low[a]);
         box.hi[a] = window_f64_plane(tile_case_grid(c), a, high[a]);
     }
-    assert_int_equal(c->is_double ? tribox_mesh_overlap(&mesh, &box, options, mask, NULL)
-                                  : tribox_overlap(&soup, &box, options, mask, NULL),
-                     TRIBOX_OK);
+    assert_int_equal(CALL(overlap, &of, &box, options, mask, NULL), TRIBOX_OK);
 }
 
 tile_lists tile_case_lists(const tile_case *c, size_t from, size_t to)
 {
     tile_lists lists;
     assert_non_null(lists.starts = malloc((to - from + 1) * sizeof *lists.starts));
-    assert_int_equal(tile_case_count(c, from, to, lists.starts), TRIBOX_OK);
+    assert_int_equal(tile_case_list(c, from, to, lists.starts, NULL), TRIBOX_OK);
     assert_non_null(lists.list = malloc(lists.starts[to - from] * sizeof *lists.list + 1));
-    assert_int_equal(tile_case_fill(c, from, to, lists.starts, lists.list), TRIBOX_OK);
+    assert_int_equal(tile_case_list(c, from, to, lists.starts, lists.list), TRIBOX_OK);
     return lists;
 }
 

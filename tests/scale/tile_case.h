@@ -2,6 +2,7 @@
 #ifndef TRIBOX_TESTS_TILE_CASE_H
 #define TRIBOX_TESTS_TILE_CASE_H
 
+#include "common/soup_or_mesh.h"
 #include "voxels/occupancy.h"
 #include "voxels/window_f64.h"
 
@@ -31,24 +32,27 @@ const uint32_t *tile_case_size(const tile_case *c);
 size_t tile_case_triangles(const tile_case *c);
 size_t tile_case_tiles(const tile_case *c);
 
+/* The triangles as they are asked about; or, of floats, always as a soup, which judges the mesh of them. */
+soup_or_mesh tile_case_asked(const tile_case *c);
+soup_or_mesh tile_case_judge(const tile_case *c);
+const tribox_grid *tile_case_grid(const tile_case *c);
+
 /* The calls. */
-tribox_status tile_case_count(const tile_case *c, size_t from, size_t to, size_t *starts);
-tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list);
+tribox_status tile_case_list(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list);
 tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, size_t from, size_t to, size_t *places,
                              uint32_t *list);
+
+/* By the one of three sinks that there is. */
+typedef struct any_sink {
+    tribox_sink bits;
+    tribox_ids_sink ids;
+    tribox_lists_sink lists;
+} any_sink;
 tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
-                               void *scratch, const tribox_sink *sink, tribox_report *report);
+                               void *scratch, const any_sink *sink, tribox_report *report);
 
-/* The same with ids, which are written where a bit is set; those of the whole grid with its bits, which are zero before. */
-tribox_status tile_case_bricks_ids(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
-                                   void *scratch, const tribox_ids_sink *sink, tribox_report *report);
-tribox_status tile_case_bricks_lists(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
-                                     void *scratch, const tribox_lists_sink *sink, tribox_report *report);
+/* Ids are written where a bit is set; those of the whole grid with its bits, which are zero before. */
 void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint64_t *occupied, uint32_t *ids);
-
-/* The triangles as a mesh: of doubles, or of the floats of the soup. */
-tribox_mesh tile_case_mesh(const tile_case *c);
-const tribox_grid *tile_case_grid(const tile_case *c);
 
 /* The bits of the whole grid, by the scalar kernel where all are to be right. */
 size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied);
