@@ -2,14 +2,10 @@
 #include "fill_case.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "common/closed_meshes.h"
-
-const uint32_t *fill_case_size(const fill_case *c) { return c->grid.size; }
-
-size_t fill_case_words(const fill_case *c) { return (size_t)(c->at.size[0] + 63) / 64 * c->at.size[1] * c->at.size[2]; }
+#include "common/harness.h"
+#include "common/window_bits.h"
 
 /* ------------------------------------------------------------------------------------------------------------------------ grids */
 
@@ -243,41 +239,23 @@ static void draw_mesh(random_source *r, fill_case *c)
 
 fill_mesh fill_mesh_make(const fill_case *c)
 {
-    fill_mesh m = {.mesh = {.vertices = 3 * (size_t)c->at.count, .count = (size_t)c->at.count, .position_bytes = 8}};
     const size_t count = (size_t)c->at.count, bytes = count * (c->is_double ? sizeof c->at.u[0] : 9 * sizeof(float));
-    m.pages = guarded_make(bytes ? bytes : 1);
-    m.soup.count = count;
-    if (c->is_double) {
-        double *const to = guarded_tail(m.pages, bytes);
-        memcpy(to, c->at.u, bytes);
-        m.mesh.positions = to;
-        return m;
-    }
-    float *const to = guarded_tail(m.pages, bytes);
-    for (size_t n = 0; n < 9; n++)
-        for (size_t t = 0; t < count; t++)
-            to[n * count + t] = (float)c->at.u[t][n / 3][n % 3];
-    for (size_t v = 0; v < 3; v++) {
-        m.soup.x[v] = to + 3 * v * count;
-        m.soup.y[v] = to + (3 * v + 1) * count;
-        m.soup.z[v] = to + (3 * v + 2) * count;
-    }
+    fill_mesh m = {guarded_make(bytes ? bytes : 1), {.is_mesh = c->is_double}};
+    void *const at = guarded_tail(m.pages, bytes);
+    m.of.mesh = mesh_of_corners(at, count, 8);
+    m.of.soup = soup_of_rows(at, count, count);
+    if (c->is_double)
+        memcpy(at, c->at.u, bytes);
+    for (size_t n = 0; n < 9 * count && !c->is_double; n++)
+        ((float *)at)[n] = (float)c->at.u[n % count][n / count % 3][n / count / 3];
     return m;
-}
-
-tribox_status fill_case_parity(const fill_case *c, const fill_mesh *m, const uint64_t *occupied, uint64_t *solid, void *scratch,
-                               size_t *inside, size_t *odd_rows)
-{
-    return c->is_double ? tribox_mesh_fill_parity(&m->mesh, &c->grid, occupied, scratch, solid, inside, odd_rows)
-                        : tribox_fill_parity(&m->soup, &c->grid, occupied, scratch, solid, inside, odd_rows);
 }
 
 static tribox_status voxelize(fill_case *c)
 {
     const fill_mesh m = fill_mesh_make(c);
     memset(c->occupied, 0, sizeof c->occupied);
-    const tribox_status status = c->is_double ? tribox_mesh_voxelize(&m.mesh, &c->grid, NULL, NULL, c->occupied, NULL)
-                                              : tribox_voxelize(&m.soup, &c->grid, NULL, NULL, c->occupied, NULL);
+    const tribox_status status = CALL(voxelize, &m.of, &c->grid, NULL, NULL, c->occupied, NULL);
     fill_mesh_free(m);
     return status;
 }
@@ -307,5 +285,23 @@ void fill_case_shuffle(random_source *r, fill_case *c)
         memmove(c->at.u[t], c->at.u[other], sizeof u);
         for (int v = 0; v < 3; v++)
             memcpy(c->at.u[other][(is_turned ? 3 - v : v) % 3], u[(v + turn) % 3], sizeof u[0]);
+    }
+}
+
+void fill_case_check_leaks(const fill_case *c, const uint64_t *walls, const bool *is_inside)
+{
+    const uint32_t *const size = c->at.size;
+    uint64_t solid[CASE_WORDS_MAX], scratch[2 * ORACLE_CELLS / 64 + 3];
+    assert_int_equal(tribox_fill_outside(size, walls, scratch, solid, NULL), TRIBOX_OK);
+    for (size_t n = 0; n < (size_t)size[0] * size[1] * size[2]; n++) {
+        const size_t at[3] = {n % size[0], n / size[0] % size[1], n / size[0] / size[1]};
+        const size_t step[3] = {1, size[0], (size_t)size[0] * size[1]};
+        const bool is_free = !window_bit(size, walls, at[0], at[1], at[2]);
+        for (int a = 0; a < 3; a++)
+            if (at[a] + 1 < size[a] && is_free && !window_bit(size, walls, at[0] + (a == 0), at[1] + (a == 1), at[2] + (a == 2)) &&
+                is_inside[n] != is_inside[n + step[a]])
+                fail_msg("%s: cell %zu and the next along axis %d are free, and one of them is inside", doing, n, a);
+        if (c->is_within && is_inside[n] && !window_bit(size, solid, at[0], at[1], at[2]))
+            fail_msg("%s: cell %zu is inside, but reached from outside", doing, n);
     }
 }

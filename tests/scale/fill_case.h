@@ -2,12 +2,10 @@
 #ifndef TRIBOX_TESTS_FILL_CASE_H
 #define TRIBOX_TESTS_FILL_CASE_H
 
-#include <stddef.h>
-
 #include "common/guard.h"
 #include "common/random_draws.h"
+#include "common/soup_or_mesh.h"
 #include "crossing_oracle.h"
-#include "tribox.h"
 
 enum { CASE_WORDS_MAX = ORACLE_CELLS };
 
@@ -25,22 +23,20 @@ size_t fill_case_scenes(void);
 /* A mesh in a grid of the scene `number`, and the cells of its surface. */
 void fill_case_draw(random_source *r, size_t number, fill_case *c);
 
-const uint32_t *fill_case_size(const fill_case *c);
-size_t fill_case_words(const fill_case *c);
-
 /* The triangles as a mesh of doubles or as nine streams of floats, which end at a page that cannot be touched. */
 typedef struct fill_mesh {
     guarded pages;
-    tribox_mesh mesh;
-    tribox_soup soup;
+    soup_or_mesh of;
 } fill_mesh;
 
 fill_mesh fill_mesh_make(const fill_case *c);
 static inline void fill_mesh_free(fill_mesh m) { guarded_free(m.pages); }
 
-/* The call. */
-tribox_status fill_case_parity(const fill_case *c, const fill_mesh *m, const uint64_t *occupied, uint64_t *solid, void *scratch,
-                               size_t *inside, size_t *odd_rows);
+/*
+ * Fails where free cells that share a face are not both inside or both outside; and, of a mesh in the grid, where the outside
+ * reaches what is inside.
+ */
+void fill_case_check_leaks(const fill_case *c, const uint64_t *walls, const bool *is_inside);
 
 /* Triangles in another order, each with its vertices in another order. */
 void fill_case_shuffle(random_source *r, fill_case *c);

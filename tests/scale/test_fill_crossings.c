@@ -15,7 +15,7 @@ typedef struct turned {
 static void start(const fill_case *c, tribox_crossings *to, turned *t)
 {
     memset(t, 0, sizeof *t);
-    to->rows = tribox_rows_of(fill_case_size(c));
+    to->rows = tribox_rows_of(c->at.size);
     const tribox_window all = tribox_whole_window(&c->grid);
     to->middles = tribox_middles_of(&c->grid, &all);
     to->handlers = &tribox_exact_crossings;

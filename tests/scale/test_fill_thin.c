@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "common/harness.h"
-#include "common/float_environment.h"
+#include "common/window_bits.h"
 #include "fill_case.h"
 
 enum { PAIRS = 100000, ROUNDS = 40, CELLS = 2 * ORACLE_CELLS };
@@ -51,13 +51,6 @@ static void expect_along(const fill_case *c, int along)
     }
 }
 
-static tribox_status call(const fill_case *c, const fill_mesh *m, const tribox_window *window, const tribox_options *options,
-                          uint64_t *occupied, tribox_report *report)
-{
-    return c->is_double ? tribox_mesh_voxelize_thin(&m->mesh, &c->grid, window, options, occupied, report)
-                        : tribox_voxelize_thin(&m->soup, &c->grid, window, options, occupied, report);
-}
-
 /* Cells of a window between pages that cannot be touched, which begin with `before`, a word for all. */
 static void ask(const fill_case *c, const tribox_window *window, const tribox_options *options, uint64_t before, uint64_t *words,
                 size_t *set)
@@ -68,17 +61,12 @@ static void ask(const fill_case *c, const tribox_window *window, const tribox_op
     tribox_report report = {9, 9};
     memset(occupied, (int)before, bytes);
     const fill_mesh mesh = fill_mesh_make(c);
-    assert_int_equal(call(c, &mesh, window, options, occupied, &report), TRIBOX_OK);
+    assert_int_equal(CALL(voxelize_thin, &mesh.of, &c->grid, window, options, occupied, &report), TRIBOX_OK);
     assert_int_equal(report.undecided, 0);
     memcpy(words, occupied, bytes);
     *set = report.overlapping;
     fill_mesh_free(mesh);
     guarded_free(pages);
-}
-
-static bool bit(const uint32_t size[3], const uint64_t *words, const size_t at[3])
-{
-    return words[(at[2] * size[1] + at[1]) * ((size[0] + 63) / 64) + at[0] / 64] >> at[0] % 64 & 1;
 }
 
 /* Each cell of the window, none past the last of a row, and their number. */
@@ -90,44 +78,15 @@ static void check_cells(const fill_case *c, const tribox_window *w, const uint64
         for (uint32_t i = 0; i < end; i++) {
             const size_t at[3] = {i, row % w->size[1], row / w->size[1]};
             const size_t of_grid[3] = {w->first[0] + at[0], w->first[1] + at[1], w->first[2] + at[2]};
-            const bool is_set = bit(w->size, words, at), is_cell = i < w->size[0];
+            const bool is_set = window_bit(w->size, words, at[0], at[1], at[2]), is_cell = i < w->size[0];
             count += is_set;
             if (is_set != (is_cell && expected[cell_of(c->at.size, of_grid)]))
                 fail_msg("%s: cell %zu, %zu, %zu is %s", doing, of_grid[0], of_grid[1], of_grid[2], is_set ? "set" : "clear");
-            if (is_set && !bit(c->at.size, c->occupied, of_grid))
+            if (is_set && !window_bit(c->at.size, c->occupied, of_grid[0], of_grid[1], of_grid[2]))
                 fail_msg("%s: no triangle overlaps cell %zu, %zu, %zu", doing, of_grid[0], of_grid[1], of_grid[2]);
         }
     if (set != count)
         fail_msg("%s: %zu cells are said to be set, and %zu are", doing, set, count);
-}
-
-/* Clear cells that share a face are both inside a closed mesh or both outside. */
-static void check_leaks(const fill_case *c)
-{
-    const uint32_t *const size = c->at.size;
-    for (size_t n = 0; n < (size_t)size[0] * size[1] * size[2]; n++)
-        for (int a = 0; a < 3; a++) {
-            const size_t at[3] = {n % size[0], n / size[0] % size[1], n / size[0] / size[1]};
-            size_t next[3];
-            memcpy(next, at, sizeof next);
-            if (++next[a] == size[a])
-                continue;
-            const size_t other = cell_of(size, next);
-            if (!expected[n] && !expected[other] && is_inside[n] != is_inside[other])
-                fail_msg("%s: the surface leaks between cells %zu and %zu", doing, n, other);
-        }
-}
-
-/* What the outside does not reach has all cells whose middle is inside. */
-static void check_flood(const fill_case *c, const uint64_t *words)
-{
-    uint64_t solid[CASE_WORDS_MAX], scratch[2 * ORACLE_CELLS / 64 + 3];
-    assert_int_equal(tribox_fill_outside(c->at.size, words, scratch, solid, NULL), TRIBOX_OK);
-    for (size_t n = 0; n < (size_t)c->at.size[0] * c->at.size[1] * c->at.size[2]; n++) {
-        const size_t at[3] = {n % c->at.size[0], n / c->at.size[0] % c->at.size[1], n / c->at.size[0] / c->at.size[1]};
-        if (is_inside[n] && !bit(c->at.size, solid, at))
-            fail_msg("%s: cell %zu is inside, but reached from outside", doing, n);
-    }
 }
 
 static tribox_window draw_window(random_source *r, const fill_case *c)
@@ -165,9 +124,7 @@ CASE(test_cells)
         }
         if (drawn.is_closed) {
             crossing_oracle(&drawn.at, is_inside, is_odd);
-            check_leaks(&drawn);
-            if (drawn.is_within)
-                check_flood(&drawn, words);
+            fill_case_check_leaks(&drawn, words, is_inside);
         }
         ask(&drawn, &part, NULL, 0, words, &set);
         check_cells(&drawn, &part, words, set);
@@ -186,6 +143,7 @@ CASE(test_neighbouring_planes)
     const tribox_grid grid = {{1, 1, 1}, {0x1p-52, 0x1p-52, 0x1p-52}, {3, 3, 3}};
     random_source r = random_named(args.seed, "fill thin neighbours");
     memcpy(drawn.at.size, grid.size, sizeof grid.size);
+    drawn.is_within = true;
     for (int round = 0; round < 3000; round++) {
         uint64_t thin[9] = {0}, inside[9], scratch[3];
         double at[4][3];
@@ -195,12 +153,10 @@ CASE(test_neighbouring_planes)
             .positions = at, .vertices = 4, .indices = corners, .index_bytes = 4, .count = 4, .position_bytes = 8};
         assert_int_equal(tribox_mesh_fill_parity(&mesh, &grid, thin, scratch, inside, NULL, NULL), TRIBOX_OK);
         assert_int_equal(tribox_mesh_voxelize_thin(&mesh, &grid, NULL, NULL, thin, NULL), TRIBOX_OK);
-        for (size_t n = 0; n < 27; n++) {
-            expected[n] = thin[n / 3] >> n % 3 & 1;
+        for (size_t n = 0; n < 27; n++)
             is_inside[n] = inside[n / 3] >> n % 3 & 1;
-        }
         snprintf(doing, sizeof doing, "tetrahedron %d", round);
-        check_leaks(&drawn);
+        fill_case_check_leaks(&drawn, thin, is_inside);
     }
 }
 
@@ -214,12 +170,7 @@ CASE(test_box)
         for (int v = 0; v < 3; v++)
             for (int a = 0; a < 3; a++)
                 number[3 * a + v][t] = corners[t / 2][!v ? 0 : v + t % 2] >> a & 1 ? high : low;
-    tribox_soup soup = {.count = 12};
-    for (int v = 0; v < 3; v++) {
-        soup.x[v] = number[v];
-        soup.y[v] = number[3 + v];
-        soup.z[v] = number[6 + v];
-    }
+    const tribox_soup soup = soup_of_rows(number[0], 12, 12);
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {9, 9, 9}}, around = {{2, 2, 2}, {1, 1, 1}, {5, 5, 5}};
     uint64_t thin[81] = {0}, full[81] = {0};
     tribox_report report, of_full;
