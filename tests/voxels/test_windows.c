@@ -1,43 +1,41 @@
 /*
  * test_windows.c - windows of a grid: EXACT has the bits of the whole, all cells that tribox_overlap reports and no other, in grids
- * too large to be asked as a whole, too; CONSERVATIVE has them all. No word is touched besides, and of bad windows none.
+ * too large to be asked as a whole, too; CONSERVATIVE has them all; layers have the bits of the whole at every accuracy. No word is
+ * touched besides. Bits are set and never cleared, the report counts the new ones, and neither parts of a soup, nor the order of
+ * its triangles, nor that of their vertices changes what is EXACT.
  */
 #include "occupancy.h"
 
 #include <math.h>
 
-#include "common/harness.h"
 #include "common/contact.h"
-#include "common/float_environment.h"
+#include "common/harness.h"
+#include "common/window_bits.h"
 #include "grid_kinds.h"
 #include "triangle_kinds.h"
 
 enum {
     PAIRS = 100000,
     ROUNDS = 100,
-    FEW_ROUNDS = 10,
+    SLAB_ROUNDS = 500,
+    SOUP_ROUNDS = 250,
     LATE_ROUNDS = 4,
     CELLS_MAX = 8000,
     TRIANGLES = 60,
+    MANY = 200,
     WINDOWS = 5,
     LONG_ROW = 330
 };
 
 static grid_planes at;
-static triangle_list triangles;
-static uint64_t whole[CELLS_MAX], expected[CELLS_MAX], before[CELLS_MAX];
+static triangle_list triangles, turned;
+static uint64_t whole[CELLS_MAX], expected[CELLS_MAX], before[CELLS_MAX], occupied[CELLS_MAX];
 
 /* Where rows of a window begin and end beside words. */
 static const uint32_t lengths[] = {1, 2, 63, 64, 65, 130};
 enum { LENGTHS = sizeof lengths / sizeof lengths[0] };
 
-static size_t row_words(const tribox_window *w) { return (w->size[0] + 63) / 64; }
-static size_t window_words(const tribox_window *w) { return row_words(w) * w->size[1] * w->size[2]; }
-
-static uint64_t *word_of(const tribox_window *w, uint64_t *words, uint32_t i, uint32_t j, uint32_t k)
-{
-    return &words[((size_t)k * w->size[1] + j) * row_words(w) + i / 64];
-}
+static size_t window_words(const tribox_window *w) { return tribox_window_words(w->size); }
 
 /* The cells of the window among those of the whole. */
 static void expect_of_whole(const tribox_window *w)
@@ -45,10 +43,9 @@ static void expect_of_whole(const tribox_window *w)
     memset(expected, 0, window_words(w) * sizeof *expected);
     for (uint32_t k = 0; k < w->size[2]; k++)
         for (uint32_t j = 0; j < w->size[1]; j++)
-            for (uint32_t i = 0; i < w->size[0]; i++) {
-                const bool is = grid_planes_bit(&at, whole, (int)(w->first[0] + i), (int)(w->first[1] + j), (int)(w->first[2] + k));
-                *word_of(w, expected, i, j, k) |= (uint64_t)is << i % 64;
-            }
+            for (uint32_t i = 0; i < w->size[0]; i++)
+                window_put(w->size, expected, i, j, k,
+                           window_bit(at.grid.size, whole, w->first[0] + i, w->first[1] + j, w->first[2] + k));
 }
 
 static void tell(const tribox_window *w, const tribox_grid *grid, const tribox_options *options)
@@ -60,14 +57,14 @@ static void tell(const tribox_window *w, const tribox_grid *grid, const tribox_o
 }
 
 /* What the words have to be: `expected` and what was there before; at accuracies but EXACT at least that, and no bits past rows. */
-static void check_words(const tribox_window *w, const tribox_grid *grid, const tribox_options *options, const uint64_t *words)
+static void check_words(const tribox_window *w, const tribox_grid *grid, tribox_accuracy accuracy, const uint64_t *words)
 {
     for (size_t n = 0; n < window_words(w); n++) {
         const uint32_t rest = w->size[0] % 64;
-        const uint64_t cells = rest && (n + 1) % row_words(w) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
+        const uint64_t cells = rest && (n + 1) % window_row(w->size) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
         const uint64_t wanted = expected[n] | before[n];
-        const uint64_t lost = options->accuracy == TRIBOX_FAST ? before[n] & ~words[n] : wanted & ~words[n];
-        const uint64_t extra = words[n] & ~(options->accuracy == TRIBOX_EXACT ? wanted : cells);
+        const uint64_t lost = accuracy == TRIBOX_FAST ? before[n] & ~words[n] : wanted & ~words[n];
+        const uint64_t extra = words[n] & ~(accuracy == TRIBOX_EXACT ? wanted : cells);
         if (lost | extra) {
             grid_planes_print(stderr, grid);
             fail_msg("%s: word %zu lacks %#llx, has %#llx too many", doing, n, (unsigned long long)lost, (unsigned long long)extra);
@@ -75,20 +72,20 @@ static void check_words(const tribox_window *w, const tribox_grid *grid, const t
     }
 }
 
-/* The window's words lie between guards, first against the page after, then against the one before. */
-static void ask_window(const tribox_window *w, const tribox_grid *grid, const tribox_options *options)
+/* Words as they are due at an accuracy. They lie between guards, first against the page after, then against the one before. */
+static void ask_window(const tribox_window *w, const tribox_grid *grid, const tribox_options *options, tribox_accuracy due)
 {
     const tribox_soup soup = triangle_list_soup(&triangles);
     const size_t words = window_words(w), bytes = words * sizeof(uint64_t);
     const guarded g = guarded_make(bytes ? bytes : 1);
     tell(w, grid, options);
     for (int side = 0; side < 2; side++) {
-        uint64_t *const occupied = side ? guarded_tail(g, bytes) : (void *)g.first;
+        uint64_t *const words_of = side ? guarded_tail(g, bytes) : (void *)g.first;
         tribox_report report;
-        memcpy(occupied, before, bytes);
-        assert_int_equal(tribox_voxelize(&soup, grid, w, options, occupied, &report), TRIBOX_OK);
-        check_words(w, grid, options, occupied);
-        assert_int_equal(report.overlapping, occupancy_count(occupied, words) - occupancy_count(before, words));
+        memcpy(words_of, before, bytes);
+        assert_int_equal(tribox_voxelize(&soup, grid, w, options, words_of, &report), TRIBOX_OK);
+        check_words(w, grid, due, words_of);
+        assert_int_equal(report.overlapping, occupancy_count(words_of, words) - occupancy_count(before, words));
     }
     guarded_free(g);
 }
@@ -98,10 +95,9 @@ static void draw_before(random_source *r, const tribox_window *w)
 {
     memset(before, 0, sizeof before);
     if (random_int(r, 3) == 0 && window_words(w))
-        for (int n = 0; n < 20; n++) {
-            const uint32_t i = (uint32_t)random_int(r, (int)w->size[0]), j = (uint32_t)random_int(r, (int)w->size[1]);
-            *word_of(w, before, i, j, (uint32_t)random_int(r, (int)w->size[2])) |= UINT64_C(1) << i % 64;
-        }
+        for (int n = 0; n < 20; n++)
+            window_put(w->size, before, random_below(r, w->size[0]), random_below(r, w->size[1]), random_below(r, w->size[2]),
+                       true);
 }
 
 /* `length` cells of an axis, or what fits: at either end, anywhere, or about the border of a word. */
@@ -128,12 +124,12 @@ static tribox_window draw_window(random_source *r, const tribox_grid *grid)
     return w;
 }
 
-static void draw_triangles(random_source *r)
+static void draw_triangles(random_source *r, size_t most)
 {
     triangles.count = 0;
     if (random_int(r, 4) == 0)
         draw_mesh(r, &at, &triangles);
-    const size_t wanted = triangles.count + (size_t)random_int_between(r, 1, TRIANGLES);
+    const size_t wanted = triangles.count + (size_t)random_int_between(r, 1, (int)most);
     while (triangles.count < wanted) {
         float u[3][3];
         draw_triangle(r, triangle_kind_at((size_t)random_int(r, (int)triangle_kind_count())), &at, u);
@@ -147,29 +143,38 @@ static tribox_options any_options(random_source *r)
                             .kernel = names[random_int(r, kernels)]};
 }
 
-/* Small grids and long rows of every kind; the whole is what test_cells.c compares with the oracle. */
-static void draw_pairs(random_source *r, size_t round)
+/* Small grids of every kind, and long rows if they may be; the whole is what test_cells.c compares with the oracle. */
+static void draw_pairs(random_source *r, size_t round, bool has_long_rows, size_t most)
 {
     const grid_kind *const kind = grid_kind_at(round % grid_kind_count());
-    if (random_int(r, 2))
+    if (!has_long_rows || random_int(r, 2))
         draw_grid_of_kind(r, kind, CELLS_MAX, &at);
     else
         draw_grid_of_size(r, kind, (const uint32_t[]){LONG_ROW, (uint32_t)random_int_between(r, 1, 4), 3}, &at);
-    draw_triangles(r);
+    draw_triangles(r, most);
 }
 
-static void ask_whole(const tribox_options *options)
+static size_t ask(const tribox_soup *soup, const tribox_options *options, uint64_t *words)
+{
+    tribox_report report = {SIZE_MAX, SIZE_MAX};
+    assert_int_equal(tribox_voxelize(soup, &at.grid, NULL, options, words, &report), TRIBOX_OK);
+    return report.overlapping;
+}
+
+static size_t ask_whole(const tribox_options *options)
 {
     const tribox_soup soup = triangle_list_soup(&triangles);
     memset(whole, 0, at.words * sizeof *whole);
-    assert_int_equal(tribox_voxelize(&soup, &at.grid, NULL, options, whole, NULL), TRIBOX_OK);
+    const size_t set = ask(&soup, options, whole);
+    assert_int_equal(set, occupancy_count(whole, at.words));
+    return set;
 }
 
-CASE(test_parts)
+CASE(test_any)
 {
     random_source r = random_named(args.seed, "windows");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
-        draw_pairs(&r, round);
+        draw_pairs(&r, round, true, TRIANGLES);
         tribox_options options = any_options(&r);
         ask_whole(&options);
         for (int n = 0; n < WINDOWS; n++) {
@@ -178,10 +183,76 @@ CASE(test_parts)
             expect_of_whole(&w);
             for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
                 options.accuracy = (tribox_accuracy)accuracy;
-                ask_window(&w, &at.grid, &options);
+                ask_window(&w, &at.grid, &options, options.accuracy);
             }
         }
     }
+}
+
+/* Whole layers have the bits of the whole, whatever the accuracy. */
+static size_t ask_slab(const tribox_options *options, uint32_t first, uint32_t layers)
+{
+    const tribox_window w = {{0, 0, first}, {at.grid.size[0], at.grid.size[1], layers}};
+    memcpy(expected, whole + first * at.row_words * at.grid.size[1], window_words(&w) * sizeof *expected);
+    ask_window(&w, &at.grid, options, TRIBOX_EXACT);
+    return occupancy_count(expected, window_words(&w));
+}
+
+CASE(test_slabs)
+{
+    random_source r = random_named(args.seed, "slabs");
+    memset(before, 0, sizeof before);
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / SLAB_ROUNDS); round++) {
+        draw_pairs(&r, round, false, TRIANGLES);
+        tribox_options options = any_options(&r);
+        options.accuracy = (tribox_accuracy)random_int(&r, 3);
+        const size_t set = ask_whole(&options);
+        const uint32_t size = at.grid.size[2];
+        if (size <= 6) /* every slab there is */
+            for (uint32_t first = 0; first <= size; first++)
+                for (uint32_t layers = 0; layers <= size - first; layers++)
+                    ask_slab(&options, first, layers);
+        size_t sum = 0;
+        for (uint32_t first = 0, layers; first < size; first += layers) {
+            layers = 1 + (uint32_t)random_int(&r, (int)(size - first));
+            sum += ask_slab(&options, first, layers);
+        }
+        assert_int_equal(sum, set);
+        ask_slab(&options, size, 0);
+    }
+}
+
+/*
+ * In doubles of a spacing of half a cell along x, cells are asked in blocks. Edges along y and z pass cells within rounding: where
+ * that stays undecided for a cell, it may be decided for a block of them, and blocks end where layers do.
+ */
+CASE(test_blocks)
+{
+    static const double positions[][3][3] = {
+        {{0x1.0000000000002p+51, 0x1.ddd9d0e63a757p+0, 0x1.4be5d3b25c99cp+2},
+         {0x1.0000000000001p+51, 0x1.02bada9d4f2e7p+1, 0x1.978084b5e7283p+2},
+         {0x1.0000000000005p+51, 0x1.df52cf5220d55p-1, 0x1.379117153584p+0}},
+        {{0x1.0000000000001p+51, 0x1.32039c2b1e472p-3, 0x1.bc677db64ccebp+1},
+         {0x1.0000000000008p+51, 0x1.4dfe9edbedaebp+0, 0x1.88095eb7f64d5p+2},
+         {0x1.0000000000013p+51, -0x1.d491feefc3d7p-3, 0x1.8a417486f9698p+2}},
+        {{0x1.0000000000003p+51, -0x1.cb8b263115a55p-1, 0x1.941f4ef8e62d9p+2},
+         {0x1.000000000000bp+51, 0x1.4694f8cb1c159p+2, 0x1.e203b4d8b4b2dp+2},
+         {0x1.ffffffffffff7p+50, 0x1.3233fce3949ap-2, 0x1.db7327334dd78p+2}},
+    };
+    const tribox_grid grid = {{0x1p51, 0, 0}, {1, 0.625, 0.75}, {8, 7, 16}};
+    for (size_t t = 0; t < sizeof positions / sizeof positions[0]; t++)
+        for (size_t k = 0; tribox_kernel_list(k); k++) {
+            const tribox_mesh mesh = {.positions = positions[t], .vertices = 3, .count = 1, .position_bytes = 8};
+            const tribox_options options = {.accuracy = TRIBOX_CONSERVATIVE, .kernel = tribox_kernel_list(k)};
+            memset(whole, 0, 7 * 16 * sizeof *whole);
+            memset(occupied, 0, 7 * 16 * sizeof *whole);
+            assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, NULL, &options, whole, NULL), TRIBOX_OK);
+            for (uint32_t layer = 0; layer < 16; layer++)
+                assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, &(tribox_window){{0, 0, layer}, {8, 7, 1}}, &options,
+                                                      occupied + 7 * layer, NULL),
+                                 TRIBOX_OK);
+            assert_memory_equal(occupied, whole, 7 * 16 * sizeof *whole);
+        }
 }
 
 /* The window's first plane, its last, or another, and a float next to it. */
@@ -251,7 +322,7 @@ static void expect_by_boxes(const tribox_window *w, const tribox_grid *grid, uns
                 const tribox_box box = tribox_grid_cell(grid, w->first[0] + i, w->first[1] + j, w->first[2] + k);
                 tribox_report report;
                 assert_int_equal(tribox_overlap(&soup, &box, &options, NULL, &report), TRIBOX_OK);
-                *word_of(w, expected, i, j, k) |= (uint64_t)(report.overlapping > 0) << i % 64;
+                window_put(w->size, expected, i, j, k, report.overlapping > 0);
             }
 }
 
@@ -268,7 +339,7 @@ static size_t ask_large(random_source *r, const tribox_window *w, const tribox_g
     expect_by_boxes(w, grid, options.axes);
     for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
         options.accuracy = (tribox_accuracy)accuracy;
-        ask_window(w, grid, &options);
+        ask_window(w, grid, &options, options.accuracy);
     }
     return occupancy_count(expected, window_words(w));
 }
@@ -301,4 +372,102 @@ CASE(test_late_windows)
     }
 }
 
-PROGRAM(RUN(test_parts), RUN(test_large_grids), RUN(test_late_windows))
+/* Bits that are there stay, those past the end of a row too, and do not count. */
+CASE(test_bits_stay)
+{
+    random_source r = random_named(args.seed, "bits stay");
+    for (size_t round = 0; round < SOUP_ROUNDS * arguments_rounds(&args, PAIRS); round++) {
+        draw_pairs(&r, round, false, MANY);
+        tribox_options options = any_options(&r);
+        options.accuracy = (tribox_accuracy)(round % 2 ? 0 : random_int(&r, 3));
+        const tribox_soup soup = triangle_list_soup(&triangles);
+        size_t news = 0;
+        ask_whole(&options);
+        for (size_t w = 0; w < at.words; w++) {
+            before[w] = random_bits(&r) & (round % 3 ? ~UINT64_C(0) : random_bits(&r) & random_bits(&r));
+            occupied[w] = before[w];
+            news += (size_t)__builtin_popcountll(whole[w] & ~before[w]);
+        }
+        assert_int_equal(ask(&soup, &options, occupied), news);
+        for (size_t w = 0; w < at.words; w++)
+            if (occupied[w] != (before[w] | whole[w]))
+                fail_msg("round %zu, word %zu: %#llx and %#llx give %#llx", round, w, (unsigned long long)before[w],
+                         (unsigned long long)whole[w], (unsigned long long)occupied[w]);
+        assert_int_equal(ask(&soup, &options, occupied), 0);
+        assert_int_equal(tribox_voxelize(&soup, &at.grid, NULL, &options, occupied, NULL), TRIBOX_OK);
+        for (size_t w = 0; w < at.words; w++)
+            assert_int_equal(occupied[w], before[w] | whole[w]);
+    }
+}
+
+CASE(test_parts)
+{
+    random_source r = random_named(args.seed, "parts");
+    for (size_t round = 0; round < SOUP_ROUNDS * arguments_rounds(&args, PAIRS); round++) {
+        draw_pairs(&r, round, false, MANY);
+        const tribox_options options = any_options(&r);
+        const size_t set = ask_whole(&options);
+        size_t sum = 0;
+        memset(occupied, 0, at.words * sizeof *occupied);
+        for (size_t first = 0, count; first < triangles.count; first += count) {
+            count = 1 + (size_t)random_int(&r, (int)(triangles.count - first));
+            const tribox_soup part = triangle_list_part(&triangles, first, count, permutations[random_int(&r, ORDERS)]);
+            sum += ask(&part, &options, occupied);
+        }
+        assert_int_equal(sum, set);
+        assert_memory_equal(occupied, whole, at.words * sizeof *occupied);
+    }
+}
+
+/* The triangles in any order, each with its vertices in any order, and triangles that are not finite among them. */
+CASE(test_order)
+{
+    random_source r = random_named(args.seed, "order");
+    for (size_t round = 0; round < SOUP_ROUNDS * arguments_rounds(&args, PAIRS); round++) {
+        draw_pairs(&r, round, false, MANY);
+        const tribox_options options = any_options(&r);
+        const size_t set = ask_whole(&options), start = (size_t)random_int(&r, (int)triangles.count);
+        turned.count = 0;
+        for (size_t k = 0; k < triangles.count; k++) {
+            float u[3][3], v[3][3];
+            const int *const vertex = permutations[random_int(&r, ORDERS)];
+            triangle_list_get(&triangles, (start + triangles.count - k) % triangles.count, u);
+            for (int j = 0; j < 3; j++)
+                memcpy(v[j], u[vertex[j]], sizeof v[j]);
+            triangle_list_put(&turned, (const_vertices)v);
+            if (random_int(&r, 3))
+                continue;
+            v[random_int(&r, 3)][random_int(&r, 3)] = random_int(&r, 2) ? NAN : random_int(&r, 2) ? INFINITY : -INFINITY;
+            triangle_list_put(&turned, (const_vertices)v);
+        }
+        const tribox_soup soup = triangle_list_soup(&turned);
+        memset(occupied, 0, at.words * sizeof *occupied);
+        assert_int_equal(ask(&soup, &options, occupied), set);
+        assert_memory_equal(occupied, whole, at.words * sizeof *occupied);
+    }
+}
+
+/* Not even over the whole grid, at any accuracy and with any axes. */
+CASE(test_not_finite)
+{
+    static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
+    random_source r = random_named(args.seed, "not finite");
+    draw_grid_of_kind(&r, grid_kind_at(3), CELLS_MAX, &at);
+    for (int kernel = 0; kernel < kernels; kernel++)
+        for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
+                triangles.count = 0;
+                for (int k = 0; k < 9 * 4 * 3; k++) {
+                    float u[3][3];
+                    draw_triangle(&r, triangle_kind_at((size_t)random_int(&r, 4)), &at, u);
+                    u[k % 3][k / 3 % 3] = bad[k / 9 % 4];
+                    triangle_list_put(&triangles, (const_vertices)u);
+                }
+                const tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .axes = axes, .kernel = names[kernel]};
+                assert_int_equal(ask_whole(&options), 0);
+                assert_int_equal(occupancy_count(whole, at.words), 0);
+            }
+}
+
+PROGRAM(RUN(test_any), RUN(test_slabs), RUN(test_blocks), RUN(test_large_grids), RUN(test_late_windows), RUN(test_bits_stay),
+        RUN(test_parts), RUN(test_order), RUN(test_not_finite))
