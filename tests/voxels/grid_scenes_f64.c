@@ -2,7 +2,8 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
+
+#include "common/harness.h"
 
 static void draw_plain(random_source *r, tribox_grid *grid)
 {
@@ -219,4 +220,16 @@ void draw_triangle_f64(random_source *r, const tribox_grid *grid, triangle_f64 u
         draw_extreme(r, u);
     if (!random_int(r, 100))
         u[random_int(r, 3)][random_int(r, 3)] = random_int(r, 2) ? NAN : INFINITY;
+}
+
+void window_f64_draw_scene(window_f64 *w, random_source *r, const scene_f64 *scene, int cells)
+{
+    enum { LONG = 1000 };
+    w->scene = scene->name;
+    w->seed = args.seed;
+    draw_grid_f64(r, scene, cells, &w->grid);
+    const bool is_few = w->grid.size[0] > LONG || random_int(r, 2);
+    const int count = is_few ? random_int_between(r, 1, 6) : random_int_between(r, 20, 60);
+    for (w->count = 0; w->count < (size_t)count; w->count++)
+        draw_triangle_f64(r, &w->grid, w->triangle[w->count]);
 }

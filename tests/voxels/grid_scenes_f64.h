@@ -18,4 +18,7 @@ void draw_grid_f64(random_source *r, const scene_f64 *scene, int cells, tribox_g
 /* On planes or next to them, within cells, far away; flat, thin, small and large ones. */
 void draw_triangle_f64(random_source *r, const tribox_grid *grid, triangle_f64 u);
 
+/* A grid of the scene, and a few triangles about it or many. */
+void window_f64_draw_scene(window_f64 *w, random_source *r, const scene_f64 *scene, int cells);
+
 #endif

@@ -7,7 +7,7 @@
 #include "common/harness.h"
 #include "grid_scenes_f64.h"
 
-enum { PAIRS_A_ROUND = 10000, CELLS_FOR_ALL = 300, LONG = 1000 };
+enum { PAIRS_A_ROUND = 10000, CELLS_FOR_ALL = 300 };
 
 typedef struct trial {
     random_source r;
@@ -51,15 +51,6 @@ static size_t check_alone(trial *t, unsigned axes)
     return asked;
 }
 
-/* Until the oracle has enough to do. */
-static void draw_triangles(trial *t)
-{
-    const bool is_few = t->w.grid.size[0] > LONG || random_int(&t->r, 2);
-    const int count = is_few ? random_int_between(&t->r, 1, 6) : random_int_between(&t->r, 20, 60);
-    for (t->w.count = 0; t->w.count < (size_t)count; t->w.count++)
-        draw_triangle_f64(&t->r, &t->w.grid, t->w.triangle[t->w.count]);
-}
-
 CASE(test_scenes)
 {
     trial *const t = &test;
@@ -69,12 +60,9 @@ CASE(test_scenes)
         if (args.scenes && strcmp(args.scenes, scene->name))
             continue;
         t->r = random_named(args.seed, scene->name);
-        t->w.scene = scene->name;
-        t->w.seed = args.seed;
         for (size_t round = 0; round < arguments_rounds(&args, PAIRS_A_ROUND); round++) {
             const unsigned axes = axis_sets[random_int(&t->r, (int)(sizeof axis_sets / sizeof axis_sets[0]))];
-            draw_grid_f64(&t->r, scene, axes & TRIBOX_AXES_BOX ? 2000 : CELLS_FOR_ALL, &t->w.grid);
-            draw_triangles(t);
+            window_f64_draw_scene(&t->w, &t->r, scene, axes & TRIBOX_AXES_BOX ? 2000 : CELLS_FOR_ALL);
             asked += check_whole(t, axes);
             for (int n = 0; n < 4; n++)
                 asked += check_alone(t, axes);

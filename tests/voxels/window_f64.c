@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "common/oracle_f64.h"
+#include "common/window_bits.h"
 
 void window_f64_open(window_f64 *w) { w->at = (tribox_window){{0, 0, 0}, {w->grid.size[0], w->grid.size[1], w->grid.size[2]}}; }
 
@@ -17,16 +18,9 @@ void window_f64_draw(window_f64 *w, random_source *r)
     }
 }
 
-static size_t row_words(const window_f64 *w) { return (w->at.size[0] + 63) / 64; }
-
-size_t window_f64_words(const window_f64 *w) { return row_words(w) * w->at.size[1] * w->at.size[2]; }
+size_t window_f64_words(const window_f64 *w) { return tribox_window_words(w->at.size); }
 
 double window_f64_plane(const tribox_grid *grid, int a, double p) { return fma(p, grid->cell[a], grid->origin[a]); }
-
-static size_t word_of(const window_f64 *w, const uint32_t at[3])
-{
-    return ((size_t)at[2] * w->at.size[1] + at[1]) * row_words(w) + at[0] / 64;
-}
 
 static pair_f64 pair_at(const window_f64 *w, size_t triangle, const uint32_t at[3])
 {
@@ -73,7 +67,7 @@ size_t window_f64_expect(const window_f64 *w, size_t first, size_t count, unsign
         for (at[2] = in[2].first; at[2] < in[2].end; at[2]++)
             for (at[1] = in[1].first; at[1] < in[1].end; at[1]++)
                 for (at[0] = in[0].first; at[0] < in[0].end; at[0]++) {
-                    uint64_t *const word = occupied + word_of(w, at);
+                    uint64_t *const word = occupied + window_place(w->at.size, at[0], at[1], at[2]);
                     const pair_f64 pair = pair_at(w, t, at);
                     if (*word >> at[0] % 64 & 1)
                         continue;
@@ -95,7 +89,8 @@ void window_f64_ask(const window_f64 *w, size_t first, size_t count, uint64_t *o
     assert_int_equal(tribox_mesh_voxelize(&mesh, &w->grid, &w->at, &w->options, occupied, &report), TRIBOX_OK);
     assert_true(occupied[words] == UINT64_C(0x5555555555555555));
     for (size_t k = 0; k < words; k++) {
-        const uint64_t outside = w->at.size[0] % 64 && (k + 1) % row_words(w) == 0 ? ~UINT64_C(0) << w->at.size[0] % 64 : 0;
+        const uint64_t outside =
+            w->at.size[0] % 64 && (k + 1) % window_row(w->at.size) == 0 ? ~UINT64_C(0) << w->at.size[0] % 64 : 0;
         assert_true((occupied[k] & outside) == 0);
         for (uint64_t left = occupied[k]; left; left &= left - 1)
             set++;
@@ -127,7 +122,8 @@ void window_f64_check(const window_f64 *w, size_t first, size_t count, const uin
     for (at[2] = 0; at[2] < w->at.size[2]; at[2]++)
         for (at[1] = 0; at[1] < w->at.size[1]; at[1]++)
             for (at[0] = 0; at[0] < w->at.size[0]; at[0]++) {
-                const bool is_set = occupied[word_of(w, at)] >> at[0] % 64 & 1, is_in = expected[word_of(w, at)] >> at[0] % 64 & 1;
+                const bool is_set = window_bit(w->at.size, occupied, at[0], at[1], at[2]),
+                           is_in = window_bit(w->at.size, expected, at[0], at[1], at[2]);
                 if (is_exact ? is_set != is_in : is_in && !is_set)
                     fail_cell(w, first, count, at, is_set);
             }
