@@ -4,6 +4,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "common/harness.h"
+#include "common/soup_or_mesh.h"
 #include "common/thread_stack.h"
 
 enum { TRIANGLES = 5000, CELLS = 130, STATED = 108 * 1024 };
@@ -15,10 +16,7 @@ static uint32_t indices[3 * TRIANGLES];
 static float streams[9][TRIANGLES];
 static uint64_t occupied[CELLS * CELLS * ((CELLS + 63) / 64)];
 
-static const tribox_soup soup = {.x = {streams[0], streams[1], streams[2]},
-                                 .y = {streams[3], streams[4], streams[5]},
-                                 .z = {streams[6], streams[7], streams[8]},
-                                 .count = TRIANGLES};
+static soup_or_mesh all; /* one and the same triangles, in doubles as a mesh */
 
 /* Of every size, on planes, partly outside, too large for float: the way of each is walked to its end. */
 static void draw_soup(random_source *r)
@@ -42,24 +40,15 @@ static void draw_soup(random_source *r)
     }
 }
 
+/* In cells of their size, and a mesh in cells so small that blocks of them are asked. */
 static void *voxelize(void *options)
 {
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
-    memset(occupied, 0, sizeof occupied);
-    assert_int_equal(tribox_voxelize(&soup, &grid, NULL, options, occupied, NULL), TRIBOX_OK);
-    return NULL;
-}
-
-/* The same triangles, in cells of their size, and in cells so small that blocks of them are asked. */
-static void *voxelize_mesh(void *options)
-{
-    const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
     static const tribox_window corner = {.size = {CELLS, CELLS, CELLS}};
-    for (int is_fine = 0; is_fine < 2; is_fine++) {
+    for (int is_fine = 0; is_fine <= (int)all.is_mesh; is_fine++) {
         const double cell = is_fine ? 0x1p-1074 : 1;
         const tribox_grid grid = {{0, 0, 0}, {cell, cell, cell}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
         memset(occupied, 0, sizeof occupied);
-        assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, &corner, options, occupied, NULL), TRIBOX_OK);
+        assert_int_equal(CALL(voxelize, &all, &grid, &corner, options, occupied, NULL), TRIBOX_OK);
     }
     return NULL;
 }
@@ -89,35 +78,21 @@ static int take_no_lists(void *data, const uint32_t at[3], const uint64_t bits[8
     return take_none(data, at, bits);
 }
 
-/* Of a soup: without ids, with them, and with lists. */
+/* Without ids, with them, and with lists. */
 static void *make_bricks(void *options)
 {
     static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
-    static const tribox_tiles all = {TILE, 0, TILES};
+    static const tribox_tiles tiles = {TILE, 0, TILES};
+    static const tribox_sink sink = {take_none, NULL};
+    static const tribox_ids_sink ids = {take_no_ids, NULL};
+    static const tribox_lists_sink lists = {take_no_lists, NULL};
     static unsigned char room[16 * 1024 * 1024];
     assert_true(tribox_bricks_lists_bytes(TILE, TRIANGLES) <= sizeof room);
-    assert_int_equal(tribox_tile_lists(&soup, &grid, &all, options, starts, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_tile_lists(&soup, &grid, &all, options, starts, list), TRIBOX_OK);
-    assert_int_equal(tribox_bricks(&soup, &grid, &all, starts, list, options, room, &(tribox_sink){take_none, NULL}, NULL),
-                     TRIBOX_OK);
-    assert_int_equal(
-        tribox_bricks_ids(&soup, &grid, &all, starts, list, options, room, &(tribox_ids_sink){take_no_ids, NULL}, NULL), TRIBOX_OK);
-    assert_int_equal(
-        tribox_bricks_lists(&soup, &grid, &all, starts, list, options, room, &(tribox_lists_sink){take_no_lists, NULL}, NULL),
-        TRIBOX_OK);
-    return NULL;
-}
-
-static void *make_mesh_bricks(void *options)
-{
-    static const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
-    static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
-    static const tribox_tiles all = {TILE, 0, TILES};
-    assert_true(tribox_bricks_bytes(TILE) <= sizeof scratch);
-    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &all, options, starts, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &all, options, starts, list), TRIBOX_OK);
-    assert_int_equal(tribox_mesh_bricks(&mesh, &grid, &all, starts, list, options, scratch, &(tribox_sink){take_none, NULL}, NULL),
-                     TRIBOX_OK);
+    assert_int_equal(CALL(tile_lists, &all, &grid, &tiles, options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(CALL(tile_lists, &all, &grid, &tiles, options, starts, list), TRIBOX_OK);
+    assert_int_equal(CALL(bricks, &all, &grid, &tiles, starts, list, options, room, &sink, NULL), TRIBOX_OK);
+    assert_int_equal(CALL(bricks_ids, &all, &grid, &tiles, starts, list, options, room, &ids, NULL), TRIBOX_OK);
+    assert_int_equal(CALL(bricks_lists, &all, &grid, &tiles, starts, list, options, room, &lists, NULL), TRIBOX_OK);
     return NULL;
 }
 
@@ -126,8 +101,8 @@ static void *list_cells(void *options)
 {
     static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
     static const tribox_window some = {{30, 40, 50}, {8, 4, 2}};
-    assert_int_equal(tribox_cell_lists(&soup, &grid, &some, options, starts, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_cell_lists(&soup, &grid, &some, options, starts, list), TRIBOX_OK);
+    assert_int_equal(CALL(cell_lists, &all, &grid, &some, options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(CALL(cell_lists, &all, &grid, &some, options, starts, list), TRIBOX_OK);
     return NULL;
 }
 
@@ -138,44 +113,31 @@ static void *fill(void *options)
     static uint64_t solid[sizeof occupied / sizeof occupied[0]];
     (void)options;
     memset(occupied, 0, sizeof occupied);
-    assert_int_equal(tribox_voxelize_thin(&soup, &grid, NULL, NULL, occupied, NULL), TRIBOX_OK);
+    assert_int_equal(CALL(voxelize_thin, &all, &grid, NULL, NULL, occupied, NULL), TRIBOX_OK);
     assert_true(tribox_fill_bytes(grid.size) <= sizeof scratch);
     assert_int_equal(tribox_fill_outside(grid.size, occupied, scratch, solid, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_fill_parity(&soup, &grid, occupied, scratch, solid, NULL, NULL), TRIBOX_OK);
+    assert_int_equal(CALL(fill_parity, &all, &grid, occupied, scratch, solid, NULL, NULL), TRIBOX_OK);
     return NULL;
 }
 
 /* One box, upright and oriented, of triangles as they are, of an index and of an order. */
-static void *ask_box(const tribox_index *index, const tribox_options *options)
+static void *ask_box(void *options)
 {
     static const tribox_box box = {{40, 40, 40}, {90, 80, 70}};
     static const tribox_oriented_box turned = {{60, 60, 60}, {30, 20, 10}, {{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}};
     static uint64_t mask[(TRIANGLES + 63) / 64];
+    const tribox_index index = {.soup = all.is_mesh ? NULL : &all.soup, .mesh = all.is_mesh ? &all.mesh : NULL, .nodes = scratch};
     size_t found;
     assert_true(tribox_index_bytes(TRIANGLES) <= sizeof scratch && 16 * TRIANGLES <= sizeof scratch);
-    if (index->soup) {
-        assert_int_equal(tribox_overlap(index->soup, &box, options, mask, NULL), TRIBOX_OK);
-        assert_int_equal(tribox_overlap_oriented(index->soup, &turned, options, mask, NULL), TRIBOX_OK);
-        assert_int_equal(tribox_soup_sort(index->soup, list, scratch), TRIBOX_OK);
-        assert_int_equal(tribox_split(index->soup, list, TRIANGLES, &box, NULL, options, (uint8_t *)scratch, NULL), TRIBOX_OK);
-    } else {
-        assert_int_equal(tribox_mesh_overlap(index->mesh, &box, options, mask, NULL), TRIBOX_OK);
-        assert_int_equal(tribox_mesh_overlap_oriented(index->mesh, &turned, options, mask, NULL), TRIBOX_OK);
-        assert_int_equal(tribox_mesh_sort(index->mesh, list, scratch), TRIBOX_OK);
-        assert_int_equal(tribox_mesh_split(index->mesh, list, TRIANGLES, &box, NULL, options, (uint8_t *)scratch, NULL), TRIBOX_OK);
-    }
-    assert_int_equal(tribox_index_build(index, options, scratch), TRIBOX_OK);
-    assert_int_equal(tribox_index_list(index, &(tribox_region){.box = &box}, options, TRIANGLES, list, &found), TRIBOX_OK);
-    assert_int_equal(tribox_index_list(index, &(tribox_region){.oriented = &turned}, options, TRIANGLES, list, &found), TRIBOX_OK);
+    assert_int_equal(CALL(overlap, &all, &box, options, mask, NULL), TRIBOX_OK);
+    assert_int_equal(CALL(overlap_oriented, &all, &turned, options, mask, NULL), TRIBOX_OK);
+    assert_int_equal(all.is_mesh ? tribox_mesh_sort(&all.mesh, list, scratch) : tribox_soup_sort(&all.soup, list, scratch),
+                     TRIBOX_OK);
+    assert_int_equal(CALL(split, &all, list, TRIANGLES, &box, NULL, options, (uint8_t *)scratch, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_index_build(&index, options, scratch), TRIBOX_OK);
+    assert_int_equal(tribox_index_list(&index, &(tribox_region){.box = &box}, options, TRIANGLES, list, &found), TRIBOX_OK);
+    assert_int_equal(tribox_index_list(&index, &(tribox_region){.oriented = &turned}, options, TRIANGLES, list, &found), TRIBOX_OK);
     return NULL;
-}
-
-static void *ask_soup(void *options) { return ask_box(&(tribox_index){.soup = &soup, .nodes = scratch}, options); }
-
-static void *ask_mesh(void *options)
-{
-    const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
-    return ask_box(&(tribox_index){.mesh = &mesh, .nodes = scratch}, options);
 }
 
 /* A byte for each vertex is on the stack then. */
@@ -183,7 +145,7 @@ static void *ask_indexed(void *options)
 {
     static const tribox_box box = {{40, 40, 40}, {90, 80, 70}};
     static uint64_t mask[(TRIANGLES + 63) / 64];
-    for (int is_double = 0; is_double < 2; is_double++) {
+    for (int is_double = 0; is_double < 2 && all.is_mesh; is_double++) {
         const tribox_mesh mesh = {.positions = is_double ? (const void *)positions : narrow,
                                   .vertices = 3 * TRIANGLES,
                                   .indices = indices,
@@ -201,22 +163,19 @@ static void *ask_indexed(void *options)
 static const struct {
     const char *name;
     void *(*run)(void *);
-} calls[] = {{"tribox_voxelize", voxelize},
-             {"tribox_mesh_voxelize", voxelize_mesh},
-             {"tribox_bricks", make_bricks},
-             {"tribox_mesh_bricks", make_mesh_bricks},
-             {"tribox_cell_lists", list_cells},
+} calls[] = {{"voxels", voxelize},
+             {"bricks", make_bricks},
+             {"lists by cell", list_cells},
              {"thin surfaces and fills", fill},
-             {"boxes about a soup", ask_soup},
-             {"boxes about a mesh", ask_mesh},
+             {"boxes", ask_box},
              {"boxes about an indexed mesh", ask_indexed}};
 
 static void check_stack(void *(*run)(void *), const char *name, tribox_options *options)
 {
     const size_t taken = stack_of(run, options);
     if (taken > STATED)
-        fail_msg("%s, %s, accuracy %d: %zu bytes of stack, %d are stated", name, options->kernel, (int)options->accuracy, taken,
-                 STATED);
+        fail_msg("%s of a %s, %s, accuracy %d: %zu bytes of stack, %d are stated", name, all.is_mesh ? "mesh" : "soup",
+                 options->kernel, (int)options->accuracy, taken, STATED);
 }
 
 CASE(test_stack)
@@ -225,11 +184,15 @@ CASE(test_stack)
     if (!is_ordinary_build())
         skip();
     draw_soup(&r);
+    all.soup = soup_of_rows(streams[0], TRIANGLES, TRIANGLES);
+    all.mesh = mesh_of_corners(positions, TRIANGLES, 8);
     for (int k = 0; k < kernels; k++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .kernel = names[k]};
-            for (size_t n = 0; n < sizeof calls / sizeof calls[0]; n++)
-                check_stack(calls[n].run, calls[n].name, &options);
+            for (size_t n = 0; n < 2 * (sizeof calls / sizeof calls[0]); n++) {
+                all.is_mesh = n % 2;
+                check_stack(calls[n / 2].run, calls[n / 2].name, &options);
+            }
         }
 }
 
