@@ -8,6 +8,8 @@
 #include <math.h>
 
 #include "common/harness.h"
+#include "common/soup_or_mesh.h"
+#include "common/window_bits.h"
 #include "common/contact.h"
 #include "triangle_kinds.h"
 #include "window_f64.h"
@@ -75,14 +77,7 @@ typedef struct tall_case {
 static tall_case drawn;
 static uint64_t expected[WORDS_MAX], layer_words[WORDS_MAX];
 
-static size_t row_words(const tribox_window *w) { return (w->size[0] + 63) / 64; }
-static size_t words_of(const tribox_window *w) { return row_words(w) * w->size[1] * w->size[2]; }
-
-/* Cells are counted from the first of the window. */
-static uint64_t *word_of(const tribox_window *w, uint64_t *words, const uint32_t at[3])
-{
-    return &words[((size_t)at[2] * w->size[1] + at[1]) * row_words(w) + at[0] / 64];
-}
+static size_t words_of(const tribox_window *w) { return tribox_window_words(w->size); }
 
 static void tell(const tall_case *c)
 {
@@ -91,9 +86,9 @@ static void tell(const tall_case *c)
              (unsigned)c->w.size[1], (unsigned)c->w.size[2], (int)c->options.accuracy, c->options.axes, c->options.kernel);
 }
 
-static tribox_mesh mesh_of(const tall_case *c)
+static soup_or_mesh asked_of(const tall_case *c)
 {
-    return (tribox_mesh){.positions = c->corners, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
+    return (soup_or_mesh){triangle_list_soup(&c->triangles), mesh_of_corners(c->corners, TRIANGLES, 8), c->is_double};
 }
 
 /* The planes of the window, from the boxes of its cells. */
@@ -136,14 +131,15 @@ static part touched(const tall_case *c, size_t t)
 
 static void expect_row(const tall_case *c, size_t t, const part *p, const uint32_t at[3])
 {
-    const tribox_mesh mesh = {.positions = c->corners[t], .vertices = 3, .count = 1, .position_bytes = 8};
+    const tribox_mesh mesh = mesh_of_corners(c->corners[t], 1, 8);
     const tribox_options options = {.axes = c->options.axes};
     for (uint32_t i = p->first[0]; i < p->end[0]; i++) {
         const tribox_box box = {{planes[0][i], planes[1][at[1]], planes[2][at[2]]},
                                 {planes[0][i + 1], planes[1][at[1] + 1], planes[2][at[2] + 1]}};
         uint64_t mask;
         assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, &mask, NULL), TRIBOX_OK);
-        *word_of(&c->w, expected, (uint32_t[]){i, at[1], at[2]}) |= (mask & 1) << i % 64;
+        if (mask & 1)
+            window_put(c->w.size, expected, i, at[1], at[2], true);
     }
 }
 
@@ -169,7 +165,7 @@ static void check(const tall_case *c, const uint64_t *words)
 {
     const uint32_t rest = c->w.size[0] % 64;
     for (size_t n = 0; n < words_of(&c->w); n++) {
-        const uint64_t cells = rest && (n + 1) % row_words(&c->w) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
+        const uint64_t cells = rest && (n + 1) % window_row(c->w.size) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
         const uint64_t lost = c->options.accuracy == TRIBOX_FAST ? 0 : expected[n] & ~words[n];
         const uint64_t extra = words[n] & ~(c->options.accuracy == TRIBOX_EXACT ? expected[n] : cells);
         if (lost | extra)
@@ -179,18 +175,16 @@ static void check(const tall_case *c, const uint64_t *words)
 
 static tribox_status voxelize(const tall_case *c, const tribox_window *w, uint64_t *words, tribox_report *report)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
+    const soup_or_mesh of = asked_of(c);
     memset(words, 0, words_of(w) * sizeof *words);
-    return c->is_double ? tribox_mesh_voxelize(&mesh, &c->grid, w, &c->options, words, report)
-                        : tribox_voxelize(&soup, &c->grid, w, &c->options, words, report);
+    return CALL(voxelize, &of, &c->grid, w, &c->options, words, report);
 }
 
 /* Layers have the bits of the grid at every accuracy: so each alone has those of all. */
 static void check_layers(const tall_case *c, const uint64_t *words)
 {
     tribox_window w = c->w;
-    const size_t layer = row_words(&w) * w.size[1];
+    const size_t layer = window_row(w.size) * w.size[1];
     w.size[2] = 1;
     for (uint32_t k = 0; k < c->w.size[2]; k++, w.first[2]++) {
         assert_int_equal(voxelize(c, &w, layer_words, NULL), TRIBOX_OK);
@@ -415,7 +409,7 @@ static int take(void *words, const uint32_t at[3], const uint64_t bits[8])
         for (int a = 0; a < 3; a++)
             cell[a] = 8 * at[a] + brick[a] - drawn.w.first[a];
         if (bits[n / 64] >> n % 64 & 1)
-            *word_of(&drawn.w, words, cell) |= UINT64_C(1) << cell[0] % 64;
+            window_put(drawn.w.size, words, cell[0], cell[1], cell[2], true);
     }
     return 0;
 }
@@ -423,8 +417,7 @@ static int take(void *words, const uint32_t at[3], const uint64_t bits[8])
 /* The list of a tile, and its cells from bricks. */
 static void ask_bricks(const tall_case *c, size_t tile, uint64_t *words)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
+    const soup_or_mesh of = asked_of(c);
     const tribox_tiles one = {TILE, tile, 1};
     const tribox_sink sink = {take, words};
     size_t starts[2];
@@ -434,15 +427,23 @@ static void ask_bricks(const tall_case *c, size_t tile, uint64_t *words)
     void *const scratch = guarded_tail(g, bytes);
     tribox_report report;
     memset(words, 0, words_of(&c->w) * sizeof *words);
-    for (int pass = 0; pass < 2; pass++)
-        assert_int_equal(c->is_double ? tribox_mesh_tile_lists(&mesh, &c->grid, &one, &c->options, starts, pass ? list : NULL)
-                                      : tribox_tile_lists(&soup, &c->grid, &one, &c->options, starts, pass ? list : NULL),
-                         TRIBOX_OK);
-    assert_int_equal(c->is_double ? tribox_mesh_bricks(&mesh, &c->grid, &one, starts, list, &c->options, scratch, &sink, &report)
-                                  : tribox_bricks(&soup, &c->grid, &one, starts, list, &c->options, scratch, &sink, &report),
-                     TRIBOX_OK);
+    assert_int_equal(CALL(tile_lists, &of, &c->grid, &one, &c->options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(CALL(tile_lists, &of, &c->grid, &one, &c->options, starts, list), TRIBOX_OK);
+    assert_int_equal(CALL(bricks, &of, &c->grid, &one, starts, list, &c->options, scratch, &sink, &report), TRIBOX_OK);
     guarded_free(g);
     assert_int_equal(report.overlapping, occupancy_count(words, words_of(&c->w)));
+}
+
+/* Sizes of powers of two, and cells of any length from zero on or about it, in float or double. */
+static void open_drawn(random_source *r, tall_case *c)
+{
+    c->name = "drawn";
+    c->is_double = random_int(r, 2);
+    for (int a = 0; a < 3; a++) {
+        c->grid.size[a] = (uint32_t)1 << random_int_between(r, 13, 20);
+        c->grid.cell[a] = random_int(r, 2) ? 0.1 : random_double(r, 0.5, 2);
+        c->grid.origin[a] = random_int(r, 2) ? 0 : -0.5 * c->grid.size[a] * c->grid.cell[a];
+    }
 }
 
 /* A tile anywhere in such grids, by one kernel at every accuracy. Triangles cross few of the tiles that lists look at. */
@@ -450,11 +451,13 @@ CASE(test_bricks)
 {
     static uint64_t words[TILE * TILE];
     random_source r = random_named(args.seed, "tall bricks");
-    for (size_t round = 0; round < GRIDS_F64 * arguments_rounds(&args, FEW_PAIRS); round++) {
-        if (random_int(&r, 2))
-            open_double(&drawn, round % GRIDS_F64);
+    for (size_t round = 0; round < 3 * GRIDS_F64 * arguments_rounds(&args, FEW_PAIRS); round++) {
+        if (round % 3)
+            open_drawn(&r, &drawn);
+        else if (random_int(&r, 2))
+            open_double(&drawn, round / 3 % GRIDS_F64);
         else
-            open_float(&drawn, random_int(&r, 2) ? &grids[round % GRIDS] : &wide_grids[round % WIDE_GRIDS]);
+            open_float(&drawn, random_int(&r, 2) ? &grids[round / 3 % GRIDS] : &wide_grids[round / 3 % WIDE_GRIDS]);
         if (tribox_tile_count(drawn.grid.size, TILE) == SIZE_MAX) /* on small machines */
             continue;
         for (int a = 0; a < 3; a++)
