@@ -94,11 +94,14 @@ static void label(random_source *r, part *p)
 {
     const size_t bytes = tribox_fill_labels_bytes(p->size);
     p->off = random_int(r, 2) ? (uint32_t)random_int(r, 8) : 0;
-    void *const scratch = take_pages(&p->scratch, bytes + p->off);
-    memset(p->scratch.first, random_int(r, 256), p->scratch.size);
+    unsigned char *const scratch = take_pages(&p->scratch, bytes + p->off);
+    const int any = random_int(r, 256);
+    memset(p->scratch.first, any, p->scratch.size);
     for (int face = 0; face < 6; face++)
         p->faces[face] = take_pages(&p->face_pages[face], face_cells(p, face) * sizeof(uint32_t));
     assert_int_equal(tribox_fill_labels(p->size, words_of(p), scratch, p->faces, &p->labels), TRIBOX_OK);
+    for (size_t n = 0; n < p->off; n++)
+        assert_int_equal(scratch[bytes + n], any);
     p->from = cut.labels;
     cut.labels += p->labels;
 }

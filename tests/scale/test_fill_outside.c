@@ -52,14 +52,19 @@ static void check_drawn(random_source *r)
     for (size_t n = 0; n < (size_t)drawn.size[0] * drawn.size[1] * drawn.size[2]; n++)
         free_cells += !drawn.is_wall[n];
     grid_words occupied = words_make(&drawn), solid = words_make(&drawn);
-    guarded scratch_pages = guarded_make(scratch_bytes + 7);
-    memset(scratch_pages.first, random_int(r, 256), scratch_pages.size);
+    /* Scratch is at any address, and no byte past what was asked for is written. */
+    const size_t after = random_below(r, 8);
+    const int any = random_int(r, 256);
+    guarded scratch_pages = guarded_make(scratch_bytes + after);
+    unsigned char *const scratch = guarded_tail(scratch_pages, scratch_bytes + after);
+    memset(scratch_pages.first, any, scratch_pages.size);
     memset(solid.word, random_int(r, 256), solid.bytes);
     set_walls(r, &drawn, occupied);
     guarded_read_only(occupied.pages, true);
-    void *const scratch = random_int(r, 2) ? guarded_tail(scratch_pages, scratch_bytes) : scratch_pages.first + random_int(r, 8);
     assert_int_equal(tribox_fill_outside(drawn.size, occupied.word, scratch, solid.word, random_int(r, 4) ? &inside : NULL),
                      TRIBOX_OK);
+    for (size_t n = 0; n < after; n++)
+        assert_int_equal(scratch[scratch_bytes + n], any);
     check_words(&drawn, solid);
     if (inside != SIZE_MAX && inside != free_cells - reached)
         fail_msg("%s: %zu are inside, not %zu", doing, free_cells - reached, inside);

@@ -114,7 +114,7 @@ CASE(test_cells)
     static uint64_t words[CASE_WORDS_MAX];
     size_t set;
     random_source r = random_named(args.seed, "fill thin");
-    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS) / (arguments_are_short(&args) ? 10 : 1); round++) {
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS) / (arguments_are_short(&args) ? 2 : 1); round++) {
         draw_case(&r, round);
         const tribox_window whole = {{0, 0, 0}, {drawn.at.size[0], drawn.at.size[1], drawn.at.size[2]}};
         const tribox_window part = draw_window(&r, &drawn);

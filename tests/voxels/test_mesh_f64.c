@@ -7,10 +7,12 @@
 #include "occupancy.h"
 
 #include "common/harness.h"
+#include "common/soup_or_mesh.h"
 #include "common/real_meshes.h"
+#include "doubles/laid_mesh.h"
 #include "triangle_kinds.h"
 
-enum { CELLS_MAX = 20000, ROUNDS = 60, PAIRS_A_ROUND = 100000 };
+enum { CELLS_MAX = 20000, ROUNDS = 60, LAYOUTS = 14, PAIRS_A_ROUND = 100000 };
 
 static grid_planes at;
 static triangle_list triangles;
@@ -40,52 +42,13 @@ static void draw_lattice_mesh(random_source *r)
     assert_int_equal(tribox_voxelize(&soup, &grid, NULL, NULL, expected, NULL), TRIBOX_OK);
 }
 
-/* How vertices lie in memory. */
-typedef struct layout {
-    unsigned position_bytes, index_bytes;
-    bool is_column_major, has_gaps;
-    unsigned axes;
-} layout;
+static double moved[TRIANGLE_LIST_MAX][3][3];
 
-static const layout layouts[] = {
-    {8, 0, false, false, 0},   {8, 4, false, false, 0},   {8, 2, false, true, 0},  {8, 4, true, false, 0},
-    {8, 0, true, true, 0},     {4, 0, false, false, 123}, {4, 4, false, true, 0},  {0, 2, false, false, 0},
-    {4, 4, true, false, 0},    {8, 4, false, false, 231}, {8, 0, true, true, 321}, {4, 4, false, true, 312},
-    {0, 2, false, false, 213}, {4, 4, true, false, 132},
-};
-
-static double room[3 * 3 * TRIANGLE_LIST_MAX * 2];
-static uint32_t wide[3 * TRIANGLE_LIST_MAX];
-static uint16_t narrow[3 * TRIANGLE_LIST_MAX];
-
-/* The triangles, moved; with indices the last vertex comes first. */
-static tribox_mesh lay_out(const layout *l, const double offset[3])
+static void move_triangles(const double offset[3])
 {
-    const size_t corners = 3 * triangles.count, bytes = l->position_bytes == 8 ? 8 : 4, gap = l->has_gaps ? 2 : 1;
-    tribox_mesh laid = {.positions = room, .vertices = corners, .count = triangles.count, .position_bytes = l->position_bytes};
-    const size_t stored[3] = {l->axes ? l->axes / 100 - 1 : 0, l->axes ? l->axes / 10 % 10 - 1 : 1, l->axes ? l->axes % 10 - 1 : 2};
-    laid.axes = l->axes;
-    laid.stride = bytes * gap * (l->is_column_major ? 1 : 3);
-    laid.axis_stride = l->is_column_major ? bytes * gap * corners : 0;
-    laid.index_bytes = l->index_bytes;
-    laid.indices = l->index_bytes == 4 ? (const void *)wide : l->index_bytes == 2 ? (const void *)narrow : NULL;
-    memset(room, 0xff, sizeof room);
-    for (size_t corner = 0; corner < corners; corner++) {
-        const size_t vertex = l->index_bytes ? corners - 1 - corner : corner;
-        float u[3][3];
-        triangle_list_get(&triangles, corner / 3, u);
-        wide[corner] = (uint32_t)vertex;
-        narrow[corner] = (uint16_t)vertex;
-        for (size_t a = 0; a < 3; a++) {
-            const double place = (double)u[corner % 3][a] + offset[a];
-            const float single = (float)place;
-            char *const to = (char *)room + vertex * laid.stride + stored[a] * (laid.axis_stride ? laid.axis_stride : bytes);
-            memcpy(to, bytes == 8 ? (const void *)&place : &single, bytes);
-        }
-    }
-    if (!l->has_gaps)
-        laid.stride = 0; /* the least */
-    return laid;
+    for (size_t t = 0; t < triangles.count; t++)
+        for (int n = 0; n < 9; n++)
+            moved[t][n / 3][n % 3] = (double)triangles.coordinate[n / 3][n % 3][t] + offset[n % 3];
 }
 
 static tribox_grid moved_grid(const double offset[3])
@@ -111,13 +74,17 @@ CASE(test_layouts)
 {
     static const double far[][3] = {
         {0, 0, 0}, {557820, 5108010, 700}, {-0x1p40, 0x1p41 + 1, 0x1p39 - 0.125}, {4.1e6, -1.13e6, 4.74e6}};
+    const laid_fences fences = laid_fences_make(args.seed);
     random_source r = random_named(args.seed, "layouts");
     for (size_t round = 0; round < ROUNDS * arguments_rounds(&args, PAIRS_A_ROUND); round++) {
         draw_lattice_mesh(&r);
-        for (size_t k = 0; k < sizeof layouts / sizeof layouts[0]; k++) {
-            const double *const offset = far[layouts[k].position_bytes == 8 ? random_int(&r, 4) : 0];
-            const tribox_mesh laid = lay_out(&layouts[k], offset);
+        for (int k = 0; k < LAYOUTS; k++) {
+            const double *const offset = far[k % 4];
             const tribox_grid grid = moved_grid(offset);
+            const mesh_form form = mesh_form_draw(&r, k % 4 == 0);
+            move_triangles(offset);
+            const tribox_mesh laid = laid_mesh_of(&r, &form, (const double(*)[3][3])moved, triangles.count,
+                                                  permutations[random_int(&r, ORDERS)], fences);
             check_mesh(&laid, &grid, names[random_int(&r, kernels)]);
         }
     }
@@ -152,7 +119,7 @@ CASE(test_long_rows)
     if (!row)
         skip();
     for (int t = 0; t < 2; t++) {
-        const tribox_mesh long_one = {.positions = triangles_of[t], .vertices = 3, .count = 1, .position_bytes = 8};
+        const tribox_mesh long_one = mesh_of_corners(triangles_of[t], 1, 8);
         uint64_t window[3] = {0}, far[3] = {0};
         tribox_report report, report_of_window;
         assert_int_equal(tribox_mesh_voxelize(&long_one, &grid, &whole, NULL, row, &report), TRIBOX_OK);
@@ -195,11 +162,11 @@ CASE(test_bunny)
         grid.origin[a] = offset[a];
         grid.size[a] = (uint32_t)ceil((highest - grid.origin[a]) / grid.cell[a]);
     }
-    const tribox_mesh moved = {.positions = u, .vertices = 3 * m.count, .count = m.count, .position_bytes = 8};
+    const tribox_mesh utm = mesh_of_corners(u, m.count, 8);
     const size_t words = (size_t)((grid.size[0] + 63) / 64) * grid.size[1] * grid.size[2];
     uint64_t *const cells = occupancy_make(words);
     tribox_report report;
-    assert_int_equal(tribox_mesh_voxelize(&moved, &grid, NULL, NULL, cells, &report), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_voxelize(&utm, &grid, NULL, NULL, cells, &report), TRIBOX_OK);
     printf("%u x %u x %u cells, %zu set\n", (unsigned)grid.size[0], (unsigned)grid.size[1], (unsigned)grid.size[2],
            report.overlapping);
     assert_int_equal(report.overlapping, 5379);
