@@ -24,6 +24,10 @@ form_fences form_fences_make(size_t triangles, size_t boxes);
 void check_forms(const form_fences *f, const stored_soup *s, const tribox_box *box, const tribox_options *options,
                  const char *name);
 
+/* The same about an oriented box, whose mask EXACT alone has to have; CONSERVATIVE misses nothing, and FAST is not known. */
+void check_turned(const form_fences *f, const stored_soup *s, const tribox_oriented_box *box, const tribox_options *options,
+                  const char *name);
+
 /* Asks the lists of many boxes at once: each has to be tribox_index_list's, and none where a bound is NaN or infinite. */
 void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes *boxes, const tribox_options *options,
                  const char *name);

@@ -295,41 +295,6 @@ static tribox_oriented_box draw_turned(random_source *r, const tribox_box *box)
     return turned;
 }
 
-/* Every form about an oriented box, beside the call without an index. */
-static void check_turned(const tribox_oriented_box *turned, const tribox_options *options, const char *name)
-{
-    const size_t count = stored.soup.count, words = tribox_mask_words(count);
-    const tribox_region region = {.oriented = turned};
-    const tribox_options exact = {.axes = options->axes, .kernel = "scalar"};
-    uint64_t *const truth = malloc((3 * words + 1) * sizeof *truth), *const mask = truth + words, *const bits = mask + words;
-    uint32_t *const number = malloc((words + 1) * sizeof *number);
-    tribox_report report;
-    size_t any, found, k = 0, listed;
-    assert_true(truth && number);
-    snprintf(doing, sizeof doing, "turned, %s, kernel %s, accuracy %d, axes %u", name, options->kernel, (int)options->accuracy,
-             options->axes);
-    assert_int_equal(tribox_mesh_overlap_oriented(&mesh.mesh, turned, &exact, truth, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_index_overlap(&stored.index, &region, options, mask, &report), TRIBOX_OK);
-    for (size_t w = 0; w < words; w++)
-        if (options->accuracy == TRIBOX_EXACT ? mask[w] != truth[w]
-                                              : options->accuracy == TRIBOX_CONSERVATIVE && (truth[w] & ~mask[w]) != 0)
-            fail_msg("%s: word %zu of %zu triangles is %llx and not %llx, scale %g", doing, w, count, (unsigned long long)mask[w],
-                     (unsigned long long)truth[w], mesh.layout.place.scale);
-    assert_int_equal(tribox_index_words(&stored.index, &region, options, words, number, bits, NULL, &found, NULL), TRIBOX_OK);
-    for (size_t w = 0; w < words; w++)
-        if (mask[w]) {
-            assert_true(k < found && number[k] == w && bits[k] == mask[w]);
-            k++;
-        }
-    assert_int_equal(k, found);
-    assert_int_equal(tribox_index_list(&stored.index, &region, options, 0, NULL, &listed), TRIBOX_OK);
-    assert_int_equal(listed, report.overlapping);
-    assert_int_equal(tribox_index_any(&stored.index, &region, options, &any), TRIBOX_OK);
-    assert_true(listed ? is_set(mask, any) : any == count);
-    free(truth);
-    free(number);
-}
-
 static tribox_options any_turned_options(random_source *r)
 {
     tribox_options options = any_index_options(r);
@@ -347,7 +312,7 @@ CASE(test_turned)
             const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &mesh.layout, &about);
             const tribox_oriented_box turned = draw_turned(&r, &box);
             const tribox_options options = any_turned_options(&r);
-            check_turned(&turned, &options, kind->name);
+            check_turned(&fences, &stored, &turned, &options, kind->name);
         }
     }
 }
