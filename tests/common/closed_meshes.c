@@ -127,3 +127,21 @@ void closed_cube(const closed_mesh_sink *to, int steps)
                 put_quad(to, v);
             }
 }
+
+const char *closed_any(const closed_mesh_sink *to, random_source *r)
+{
+    switch (random_int(r, 4)) {
+    case 0:
+        closed_icosphere(to, random_int(r, 3));
+        return "icosphere";
+    case 1:
+        closed_torus(to, random_int_between(r, 3, 12), random_int_between(r, 3, 8), random_double(r, 0.1, 0.4));
+        return "torus";
+    case 2:
+        closed_cube(to, random_int_between(r, 1, 4));
+        return "cube";
+    default:
+        closed_globe(to, random_int_between(r, 3, 9), random_int_between(r, 2, 7));
+        return "globe";
+    }
+}

@@ -2,6 +2,8 @@
 #ifndef TRIBOX_TESTS_CLOSED_MESHES_H
 #define TRIBOX_TESTS_CLOSED_MESHES_H
 
+#include "random_draws.h"
+
 /* What takes the triangles. Corners that are one vertex are the same to the last bit. */
 typedef struct closed_mesh_sink {
     void (*put)(void *mesh, const double a[3], const double b[3], const double c[3]);
@@ -15,5 +17,8 @@ void closed_cube(const closed_mesh_sink *to, int steps);
 
 /* A sphere of 2 * around * across triangles with poles on the z axis, where half of them have no area. */
 void closed_globe(const closed_mesh_sink *to, int around, int across);
+
+/* Any of these. Returns its name. */
+const char *closed_any(const closed_mesh_sink *to, random_source *r);
 
 #endif

@@ -2,19 +2,25 @@
  * test_update.c - an index that is brought up to date, in one range or in many, is byte for byte the one that is built; and every
  * kernel builds the same bytes.
  */
+#include <pthread.h>
+
 #include "common/harness.h"
 #include "fences.h"
 #include "hostile.h"
+#include "stored_mesh.h"
 
-enum { COUNT_MAX = 64 * TRIBOX_INDEX_BLOCK + 100, PAIRS = 100000, ROUNDS = 36 };
+enum { COUNT_MAX = 64 * TRIBOX_INDEX_BLOCK + 100, PAIRS = 100000, ROUNDS = 36, MANY = 40 * TRIBOX_INDEX_BLOCK + 77, THREADS = 6 };
 
 static stored_soup stored;
-static guarded fence; /* of the index that is updated */
+static guarded fence;         /* of the index that is updated */
+static stored_mesh mesh;      /* of the same triangles, in double, in every other round */
+static unsigned char *shared; /* an index that threads write */
 
 static int make_all(void)
 {
     stored = stored_soup_make(COUNT_MAX);
     fence = guarded_make(tribox_index_bytes(COUNT_MAX) + STORED_SHIFTS);
+    mesh = stored_mesh_make(MANY);
     return 0;
 }
 
@@ -180,4 +186,70 @@ CASE(test_whole)
         }
 }
 
-PROGRAM_AFTER(make_all, RUN(test_kernels), RUN(test_every_range), RUN(test_ranges), RUN(test_blocks), RUN(test_whole))
+typedef struct worker {
+    pthread_t thread;
+    size_t first, count; /* of triangles to build over */
+    tribox_options options;
+    tribox_status status;
+} worker;
+
+static worker workers[THREADS];
+
+static void run_all(void *(*work)(void *))
+{
+    for (int t = 0; t < THREADS; t++)
+        assert_int_equal(pthread_create(&workers[t].thread, NULL, work, &workers[t]), 0);
+    for (int t = 0; t < THREADS; t++) {
+        assert_int_equal(pthread_join(workers[t].thread, NULL), 0);
+        assert_int_equal(workers[t].status, TRIBOX_OK);
+    }
+}
+
+static void *update_range(void *argument)
+{
+    worker *const w = argument;
+    w->status = tribox_index_update(&stored.index, w->first, w->count, &w->options, shared);
+    return NULL;
+}
+
+/* Blocks shared out among the threads: a range each, which may be empty but not of count 0, since that finishes the index. */
+static void share_out(void)
+{
+    const size_t blocks = (MANY + TRIBOX_INDEX_BLOCK - 1) / TRIBOX_INDEX_BLOCK;
+    for (size_t t = 0; t < THREADS; t++) {
+        const size_t first = blocks * t / THREADS * TRIBOX_INDEX_BLOCK, end = blocks * (t + 1) / THREADS * TRIBOX_INDEX_BLOCK;
+        workers[t].first = first;
+        workers[t].count = (end < MANY ? end : MANY) - first;
+    }
+}
+
+static void draw_many(random_source *r, bool is_mesh)
+{
+    stored_soup_lay(&stored, MANY, STORED_AT_END);
+    draw_cells(r, &stored);
+    spoil_soup(r, &stored, DIRT_ONE_IN_A_WORD);
+    const mesh_layout layout = {.position_bytes = 8, .index_bytes = 4, .place = {1, {1e6 / 3, -7, 1e9}}};
+    if (is_mesh)
+        stored_mesh_lay(r, &mesh, &layout, &stored);
+    shared = guarded_tail(fence, stored_index_bytes(&stored));
+}
+
+/* Threads that build an index in ranges, as one would; for the thread sanitizer. */
+CASE(test_threads)
+{
+    random_source r = random_named(args.seed, "build");
+    for (int k = -1; k < kernels; k++) { /* -1: chosen by all threads at once */
+        draw_many(&r, k % 2);
+        share_out();
+        for (int t = 0; t < THREADS; t++)
+            workers[t].options = (tribox_options){.kernel = k < 0 ? NULL : names[(k + t) % kernels]};
+        memset(shared, 0xff, stored_index_bytes(&stored));
+        run_all(update_range);
+        assert_int_equal(tribox_index_update(&stored.index, 0, 0, NULL, shared), TRIBOX_OK);
+        stored_soup_build(&stored, names[0]);
+        assert_memory_equal(shared, stored.nodes, stored_index_bytes(&stored));
+    }
+}
+
+PROGRAM_AFTER(make_all, RUN(test_kernels), RUN(test_every_range), RUN(test_ranges), RUN(test_blocks), RUN(test_whole),
+              RUN(test_threads))

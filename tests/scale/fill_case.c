@@ -115,30 +115,11 @@ static void place_body(random_source *r, fill_case *c, placement *p)
     }
 }
 
-static const char *put_body(random_source *r, placement *p)
-{
-    const closed_mesh_sink sink = {put, p};
-    switch (random_int(r, 4)) {
-    case 0:
-        closed_icosphere(&sink, random_int(r, 3));
-        return "icosphere";
-    case 1:
-        closed_torus(&sink, random_int_between(r, 3, 12), random_int_between(r, 3, 8), random_double(r, 0.1, 0.4));
-        return "torus";
-    case 2:
-        closed_cube(&sink, random_int_between(r, 1, 4));
-        return "cube";
-    default:
-        closed_globe(&sink, random_int_between(r, 3, 9), random_int_between(r, 2, 7));
-        return "globe";
-    }
-}
-
 static void draw_body(random_source *r, fill_case *c)
 {
     placement p;
     place_body(r, c, &p);
-    c->body = put_body(r, &p);
+    c->body = closed_any(&(closed_mesh_sink){put, &p}, r);
 }
 
 /*

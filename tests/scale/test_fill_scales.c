@@ -31,24 +31,6 @@ static void put(void *to, const double a[3], const double b[3], const double c[3
     m->count++;
 }
 
-static void put_body(random_source *r, scaled_mesh *m)
-{
-    const closed_mesh_sink sink = {put, m};
-    switch (random_int(r, 4)) {
-    case 0:
-        closed_icosphere(&sink, random_int(r, 3));
-        break;
-    case 1:
-        closed_torus(&sink, random_int_between(r, 3, 12), random_int_between(r, 3, 8), random_double(r, 0.1, 0.4));
-        break;
-    case 2:
-        closed_cube(&sink, random_int_between(r, 1, 4));
-        break;
-    default:
-        closed_globe(&sink, random_int_between(r, 3, 9), random_int_between(r, 2, 7));
-    }
-}
-
 /* At scale 1: cells of length 1, some of whose middles are on the surface. */
 static void draw(random_source *r, scaled_mesh *m)
 {
@@ -60,7 +42,7 @@ static void draw(random_source *r, scaled_mesh *m)
         m->centre[a] = m->grid.origin[a] + random_int(r, 2 * (int)m->grid.size[a]) / 2.0;
         m->radius[a] = random_int(r, 3) ? random_double(r, 1, SIDE) : random_int_between(r, 1, SIDE);
     }
-    put_body(r, m);
+    closed_any(&(closed_mesh_sink){put, m}, r);
 }
 
 static void ask(const scaled_mesh *m, const int scale[3], answer *to)

@@ -21,29 +21,12 @@ typedef struct test_run {
     request q;
     grid_planes at;
     triangle_list triangles;
-    uint64_t *expected, *occupied, *one; /* words for CELLS_MAX cells */
+    uint64_t expected[CELLS_MAX], occupied[CELLS_MAX], one[CELLS_MAX]; /* rows of one cell take a word each */
     size_t runs, asked, set;
     tally conservative, fast;
 } test_run;
 
-/* Rows of one cell take a word each. */
-static test_run *test_run_make(void)
-{
-    test_run *const t = calloc(1, sizeof *t);
-    assert_non_null(t);
-    t->expected = occupancy_make(CELLS_MAX);
-    t->occupied = occupancy_make(CELLS_MAX);
-    t->one = occupancy_make(CELLS_MAX);
-    return t;
-}
-
-static void test_run_free(test_run *t)
-{
-    free(t->expected);
-    free(t->occupied);
-    free(t->one);
-    free(t);
-}
+static test_run run;
 
 static void choose(test_run *t, tribox_accuracy accuracy, int kernel)
 {
@@ -129,46 +112,28 @@ static void print_tally(const char *name, const test_run *t)
     assert_true(t->set > 0);
 }
 
-static void print_head(void)
+CASE(test_kinds)
 {
+    test_run *const t = &run;
     printf("%-16s %7s %10s %9s %12s %9s %9s %9s\n", "", "runs", "asked", "set", "cons. extra", "fast asked", "missed", "extra");
-}
-
-static int rounds(void) { return (int)arguments_rounds(&args, PAIRS_A_ROUND); }
-
-CASE(test_shapes)
-{
-    test_run *const t = test_run_make();
-    print_head();
-    for (size_t s = 0; s < triangle_kind_count(); s++) {
-        const triangle_kind *const kind = triangle_kind_at(s);
-        if (args.scenes && strcmp(args.scenes, kind->name))
+    for (size_t s = 0; s <= triangle_kind_count(); s++) {
+        const triangle_kind *const kind = s < triangle_kind_count() ? triangle_kind_at(s) : NULL;
+        const char *const scene = kind ? kind->name : "mesh";
+        if (args.scenes && strcmp(args.scenes, scene))
             continue;
-        start(t, kind->name);
-        for (int round = 0; round < rounds(); round++)
+        start(t, scene);
+        for (size_t round = 0; round < arguments_rounds(&args, PAIRS_A_ROUND); round++)
             for (size_t g = 0; g < grid_kind_count(); g++) {
                 draw_grid_of_kind(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
-                draw_triangles(t, kind);
-                try_triangles(t, kind->is_within_fast && grid_kind_at(g)->is_within_fast);
+                t->triangles.count = 0;
+                if (kind)
+                    draw_triangles(t, kind);
+                else
+                    draw_mesh(&t->r, &t->at, &t->triangles);
+                try_triangles(t, (!kind || kind->is_within_fast) && grid_kind_at(g)->is_within_fast);
             }
-        print_tally(kind->name, t);
+        print_tally(scene, t);
     }
-    test_run_free(t);
 }
 
-CASE(test_meshes)
-{
-    test_run *const t = test_run_make();
-    start(t, "mesh");
-    for (int round = 0; round < rounds(); round++)
-        for (size_t g = 0; g < grid_kind_count(); g++) {
-            draw_grid_of_kind(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
-            t->triangles.count = 0;
-            draw_mesh(&t->r, &t->at, &t->triangles);
-            try_triangles(t, grid_kind_at(g)->is_within_fast);
-        }
-    print_tally("mesh", t);
-    test_run_free(t);
-}
-
-PROGRAM(RUN(test_shapes), RUN(test_meshes))
+PROGRAM(RUN(test_kinds))

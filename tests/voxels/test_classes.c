@@ -272,13 +272,13 @@ static void try_speck(test_run *t)
     check_soup(t, false);
 }
 
-static test_run *test_run_make(const char *scene)
+static test_run *start(const char *scene)
 {
-    test_run *const t = calloc(1, sizeof *t);
-    assert_non_null(t);
-    t->scene = scene;
-    t->r = random_named(args.seed, scene);
-    return t;
+    static test_run run;
+    memset(&run, 0, sizeof run);
+    run.scene = scene;
+    run.r = random_named(args.seed, scene);
+    return &run;
 }
 
 static void print_tally(const test_run *t)
@@ -290,31 +290,28 @@ static void print_tally(const test_run *t)
 
 CASE(test_lengths)
 {
-    test_run *const t = test_run_make("lengths");
+    test_run *const t = start("lengths");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS_A_ROUND); round++)
         for (size_t y = 0; y < LENGTHS; y++)
             for (size_t z = 0; z < LENGTHS; z++)
                 try_lengths(t, (const int[]){lengths[(round + y + z) % LENGTHS], lengths[y], lengths[z]});
     print_tally(t);
-    free(t);
 }
 
 CASE(test_mixed)
 {
-    test_run *const t = test_run_make("mixed");
+    test_run *const t = start("mixed");
     for (size_t round = 0; round < MIXED_A_ROUND * arguments_rounds(&args, PAIRS_A_ROUND); round++)
         try_mixed(t);
     print_tally(t);
-    free(t);
 }
 
 CASE(test_specks)
 {
-    test_run *const t = test_run_make("specks");
+    test_run *const t = start("specks");
     for (size_t round = 0; round < SPECKS_A_ROUND * arguments_rounds(&args, PAIRS_A_ROUND); round++)
         try_speck(t);
     print_tally(t);
-    free(t);
 }
 
 PROGRAM(RUN(test_lengths), RUN(test_mixed), RUN(test_specks))
