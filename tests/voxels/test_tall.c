@@ -26,42 +26,30 @@ enum {
 
 typedef struct tall_grid {
     const char *name;
+    bool is_double, has_layers; /* layers of few words: else windows are asked alone */
     tribox_grid grid;
-    uint32_t window; /* as many cells a side of a window that is not of whole layers */
+    int window[3]; /* as many cells a side of a window that is not of whole layers */
 } tall_grid;
 
-/* Their layers are small. */
 static const tall_grid grids[] = {
-    {"told by floats", {{0, 0, 0}, {1, 1, 1}, {192, 1024, 1 << 20}}, 40},
-    {"cells of many lengths", {{-70, -300, -0x1p17}, {0.75, 0.5, 0.25}, {192, 1024, 1 << 20}}, 40},
-    {"more layers than floats tell", {{0, 0, 0}, {1, 1, 1}, {64, 4096, 1 << 21}}, 20},
-    {"most layers", {{0, -32, 0}, {1, 1, 1}, {130, 256, 1 << 22}}, 9},
-    {"planes off a little", {{0, 0, -43230}, {1.1, 0.9, 0.66}, {256, 5000, 131000}}, 20},
-    {"planes off by much", {{0, 0, 0}, {0.7, 1.3, 0.7}, {70, 600, 1 << 21}}, 20},
-    {"long rows", {{0, 0, -0x1p19}, {1, 1, 1}, {65000, 3, 1 << 20}}, 70},
+    {"told by floats", false, true, {{0, 0, 0}, {1, 1, 1}, {192, 1024, 1 << 20}}, {40, 40, 5}},
+    {"cells of many lengths", false, true, {{-70, -300, -0x1p17}, {0.75, 0.5, 0.25}, {192, 1024, 1 << 20}}, {40, 40, 5}},
+    {"more layers than floats tell", false, true, {{0, 0, 0}, {1, 1, 1}, {64, 4096, 1 << 21}}, {20, 20, 5}},
+    {"most layers", false, true, {{0, -32, 0}, {1, 1, 1}, {130, 256, 1 << 22}}, {9, 9, 5}},
+    {"planes off a little", false, true, {{0, 0, -43230}, {1.1, 0.9, 0.66}, {256, 5000, 131000}}, {20, 20, 5}},
+    {"planes off by much", false, true, {{0, 0, 0}, {0.7, 1.3, 0.7}, {70, 600, 1 << 21}}, {20, 20, 5}},
+    {"long rows", false, true, {{0, 0, -0x1p19}, {1, 1, 1}, {65000, 3, 1 << 20}}, {70, 70, 5}},
+    {"wide", false, false, {{0, 0, 0}, {1, 1, 1}, {1 << 22, 4096, 8192}}, {20, 20, 5}},
+    {"long", false, false, {{0, 0, 0}, {1, 0.5, 1}, {4096, 1 << 22, 4096}}, {20, 20, 5}},
+    {"wide and told by floats", false, false, {{-0x1p19, 0, 0}, {1, 1, 1}, {1 << 20, 1 << 20, 1 << 20}}, {40, 40, 5}},
+    {"all long", false, false, {{-0x1p22, 0, -3}, {1, 0.7, 2}, {1 << 23, 1 << 22, 1 << 22}}, {12, 12, 5}},
+    {"tall, doubles", true, true, {{0, 0, -1e6}, {1, 0.1, 1}, {64, 70, UINT32_MAX}}, {70, 5, 5}},
+    {"layers of many words, doubles", true, true, {{0, 0, 0}, {1, 1, 0.125}, {130, 30, (uint32_t)1 << 31}}, {70, 5, 5}},
+    {"wide, doubles", true, false, {{-1e9, 3, 0}, {0.3, 1, 1}, {UINT32_MAX, 90, 80}}, {70, 5, 5}},
+    {"long, doubles", true, false, {{0, -1e9, 0}, {1, 0.7, 1}, {90, UINT32_MAX, 80}}, {70, 5, 5}},
+    {"all long, doubles", true, false, {{-5, 1e6, -7}, {0.1, 1, 3}, {UINT32_MAX, UINT32_MAX, 4096}}, {70, 5, 5}},
 };
 enum { GRIDS = sizeof grids / sizeof grids[0] };
-
-/* Windows alone: a layer has too many words. */
-static const tall_grid wide_grids[] = {
-    {"wide", {{0, 0, 0}, {1, 1, 1}, {1 << 22, 4096, 8192}}, 20},
-    {"long", {{0, 0, 0}, {1, 0.5, 1}, {4096, 1 << 22, 4096}}, 20},
-    {"wide and told by floats", {{-0x1p19, 0, 0}, {1, 1, 1}, {1 << 20, 1 << 20, 1 << 20}}, 40},
-    {"all long", {{-0x1p22, 0, -3}, {1, 0.7, 2}, {1 << 23, 1 << 22, 1 << 22}}, 12},
-};
-enum { WIDE_GRIDS = sizeof wide_grids / sizeof wide_grids[0] };
-
-static const struct {
-    const char *name;
-    tribox_grid grid;
-} grids_f64[] = {
-    {"tall", {{0, 0, -1e6}, {1, 0.1, 1}, {64, 70, UINT32_MAX}}},
-    {"tall layers of many words", {{0, 0, 0}, {1, 1, 0.125}, {130, 30, (uint32_t)1 << 31}}},
-    {"wide", {{-1e9, 3, 0}, {0.3, 1, 1}, {UINT32_MAX, 90, 80}}},
-    {"long", {{0, -1e9, 0}, {1, 0.7, 1}, {90, UINT32_MAX, 80}}},
-    {"all long", {{-5, 1e6, -7}, {0.1, 1, 3}, {UINT32_MAX, UINT32_MAX, 4096}}},
-};
-enum { GRIDS_F64 = sizeof grids_f64 / sizeof grids_f64[0] };
 
 /* What is asked: of floats, or of doubles. */
 typedef struct tall_case {
@@ -282,11 +270,14 @@ static void draw_axes(random_source *r, tall_case *c)
     c->options = (tribox_options){.axes = axes[random_int(r, 4)]};
 }
 
-static void open_float(tall_case *c, const tall_grid *from)
+/* All of the grid. */
+static void open_grid(tall_case *c, const tall_grid *from)
 {
     c->name = from->name;
-    c->is_double = false;
+    c->is_double = from->is_double;
     c->grid = from->grid;
+    memset(c->w.first, 0, sizeof c->w.first);
+    memcpy(c->w.size, c->grid.size, sizeof c->w.size);
 }
 
 /* `length` cells of an axis at either end, anywhere, or the first that lie 2^31 words behind the first layer, or next to them. */
@@ -303,36 +294,13 @@ static void put_span(random_source *r, const tall_case *c, int a, uint32_t lengt
         w->first[2] = far / layer < last ? (uint32_t)(far / layer) + (uint32_t)random_int(r, 2) : last;
 }
 
-CASE(test_layers)
-{
-    random_source r = random_named(args.seed, "tall layers");
-    const size_t rounds = arguments_rounds(&args, PAIRS_A_ROUND);
-    for (size_t n = 0; n < GRIDS; n++) {
-        size_t set = 0;
-        for (size_t round = 0; round < rounds; round++) {
-            open_float(&drawn, &grids[n]);
-            memset(drawn.w.first, 0, sizeof drawn.w.first);
-            memcpy(drawn.w.size, drawn.grid.size, sizeof drawn.w.size);
-            put_span(&r, &drawn, 2, (uint32_t)random_int_between(&r, 1, 3), &drawn.w);
-            if (words_of(&drawn.w) > WORDS_MAX)
-                drawn.w.size[2] = 1;
-            draw_triangles(&r, &drawn, INFINITY);
-            draw_axes(&r, &drawn);
-            set += ask_all(&drawn, true);
-        }
-        assert_true(set > 10 * rounds);
-    }
-}
-
 /* The layers that begin 2^31 words behind the first, and those about them. */
 CASE(test_by_hand)
 {
-    for (size_t n = 0; n < GRIDS; n++)
-        for (uint32_t step = 0; step < 4; step++) {
-            open_float(&drawn, &grids[n]);
+    for (size_t n = 0; n < GRIDS && !grids[n].is_double; n++)
+        for (uint32_t step = 0; step < 4 && grids[n].has_layers; step++) {
+            open_grid(&drawn, &grids[n]);
             const uint32_t layer = (drawn.grid.size[0] + 63) / 64 * drawn.grid.size[1];
-            memset(drawn.w.first, 0, sizeof drawn.w.first);
-            memcpy(drawn.w.size, drawn.grid.size, sizeof drawn.w.size);
             drawn.w.size[2] = 1;
             drawn.w.first[2] = step == 3 ? drawn.grid.size[2] - 1 : (UINT32_C(1) << 31) / layer - 1 + step;
             put_by_hand(&drawn);
@@ -341,51 +309,37 @@ CASE(test_by_hand)
         }
 }
 
+/* Windows of whole layers, or of any cells. */
+static void check_grid(random_source *r, const tall_grid *from, bool is_of_layers)
+{
+    const size_t rounds = arguments_rounds(&args, PAIRS_A_ROUND);
+    size_t set = 0;
+    for (size_t round = 0; round < rounds; round++) {
+        open_grid(&drawn, from);
+        for (int a = is_of_layers ? 2 : 0; a < 3; a++)
+            put_span(r, &drawn, a, (uint32_t)random_int_between(r, 1, is_of_layers ? 3 : from->window[a]), &drawn.w);
+        if (words_of(&drawn.w) > WORDS_MAX)
+            drawn.w.size[2] = 1;
+        draw_triangles(r, &drawn, INFINITY);
+        draw_axes(r, &drawn);
+        set += ask_all(&drawn, is_of_layers);
+    }
+    assert_true(set > rounds);
+}
+
+CASE(test_layers)
+{
+    random_source r = random_named(args.seed, "tall layers");
+    for (size_t n = 0; n < GRIDS; n++)
+        if (grids[n].has_layers)
+            check_grid(&r, &grids[n], true);
+}
+
 CASE(test_windows)
 {
     random_source r = random_named(args.seed, "tall windows");
-    const size_t rounds = arguments_rounds(&args, PAIRS_A_ROUND);
-    for (size_t n = 0; n < GRIDS + WIDE_GRIDS; n++) {
-        const tall_grid *const from = n < GRIDS ? &grids[n] : &wide_grids[n - GRIDS];
-        size_t set = 0;
-        for (size_t round = 0; round < rounds; round++) {
-            open_float(&drawn, from);
-            for (int a = 0; a < 3; a++)
-                put_span(&r, &drawn, a, (uint32_t)random_int_between(&r, 1, a == 2 ? 5 : (int)from->window), &drawn.w);
-            draw_triangles(&r, &drawn, INFINITY);
-            draw_axes(&r, &drawn);
-            set += ask_all(&drawn, false);
-        }
-        assert_true(set > rounds);
-    }
-}
-
-static void open_double(tall_case *c, size_t n)
-{
-    c->name = grids_f64[n].name;
-    c->is_double = true;
-    c->grid = grids_f64[n].grid;
-}
-
-/* Whole layers too, where they are small. */
-CASE(test_doubles)
-{
-    random_source r = random_named(args.seed, "tall in double");
-    const size_t rounds = arguments_rounds(&args, PAIRS_A_ROUND);
-    for (size_t n = 0; n < GRIDS_F64; n++) {
-        size_t set = 0;
-        for (size_t round = 0; round < rounds; round++) {
-            open_double(&drawn, n);
-            const bool has_layers = drawn.grid.size[0] < 200 && drawn.grid.size[1] < 400 && random_int(&r, 3) == 0;
-            for (int a = 0; a < 3; a++)
-                put_span(&r, &drawn, a, a < 2 && has_layers ? drawn.grid.size[a] : (uint32_t)random_int_between(&r, 1, a ? 5 : 70),
-                         &drawn.w);
-            draw_triangles(&r, &drawn, INFINITY);
-            draw_axes(&r, &drawn);
-            set += ask_all(&drawn, false);
-        }
-        assert_true(set > rounds);
-    }
+    for (size_t n = 0; n < GRIDS; n++)
+        check_grid(&r, &grids[n], false);
 }
 
 /* The tile that begins the window. */
@@ -435,7 +389,7 @@ static void ask_bricks(const tall_case *c, size_t tile, uint64_t *words)
 }
 
 /* Sizes of powers of two, and cells of any length from zero on or about it, in float or double. */
-static void open_drawn(random_source *r, tall_case *c)
+static void draw_grid(random_source *r, tall_case *c)
 {
     c->name = "drawn";
     c->is_double = random_int(r, 2);
@@ -451,13 +405,11 @@ CASE(test_bricks)
 {
     static uint64_t words[TILE * TILE];
     random_source r = random_named(args.seed, "tall bricks");
-    for (size_t round = 0; round < 3 * GRIDS_F64 * arguments_rounds(&args, FEW_PAIRS); round++) {
-        if (round % 3)
-            open_drawn(&r, &drawn);
-        else if (random_int(&r, 2))
-            open_double(&drawn, round / 3 % GRIDS_F64);
+    for (size_t round = 0; round < GRIDS * arguments_rounds(&args, FEW_PAIRS); round++) {
+        if (random_int(&r, 2))
+            draw_grid(&r, &drawn);
         else
-            open_float(&drawn, random_int(&r, 2) ? &grids[round / 3 % GRIDS] : &wide_grids[round / 3 % WIDE_GRIDS]);
+            open_grid(&drawn, &grids[round % GRIDS]);
         if (tribox_tile_count(drawn.grid.size, TILE) == SIZE_MAX) /* on small machines */
             continue;
         for (int a = 0; a < 3; a++)
@@ -476,4 +428,4 @@ CASE(test_bricks)
     }
 }
 
-PROGRAM(RUN(test_by_hand), RUN(test_layers), RUN(test_windows), RUN(test_doubles), RUN(test_bricks))
+PROGRAM(RUN(test_by_hand), RUN(test_layers), RUN(test_windows), RUN(test_bricks))
