@@ -8,12 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/entries.h"
-#include "common/header.h"
 #include "common/loads.h"
 #include "common/soups.h"
-#include "console/message.h"
-#include "console/option_reader.h"
+#include "questions.h"
 
 /* A scene in every form. */
 typedef struct forms {
@@ -69,11 +66,11 @@ static bool run_copy(const contestant *self, uint64_t *mask, tribox_report *repo
 
 static bool run_reading(const contestant *self, uint64_t *mask, tribox_report *report)
 {
-    const tribox_mesh *const mesh = mesh_of(self);
+    const tribox_mesh *const m = mesh_of(self);
     (void)report;
-    mask[0] = loads_words(mesh->positions, 3 * mesh->vertices);
-    if (mesh->indices)
-        mask[0] ^= loads_words(mesh->indices, 3 * mesh->count * mesh->index_bytes / sizeof(uint32_t));
+    mask[0] = loads_words(m->positions, 3 * m->vertices);
+    if (m->indices)
+        mask[0] ^= loads_words(m->indices, 3 * m->count * m->index_bytes / sizeof(uint32_t));
     return true;
 }
 
@@ -116,15 +113,6 @@ static bool run_classify(const contestant *self, uint64_t *mask, tribox_report *
     return !tribox_classify(&job_of(self)->soup, &job_of(self)->box, &self->options, mask, inside, report);
 }
 
-static void *allocate(size_t count, size_t size)
-{
-    void *const memory = calloc(count, size);
-    if (!memory) {
-        exit(message_failure("out of memory for %zu bytes", count * size));
-    }
-    return memory;
-}
-
 /* The scene's own triangles, with a vertex for each corner; or, if is_shared, as many corners among count / 2 vertices. */
 static void make_forms(size_t index, uint64_t seed, bool is_shared, forms *f)
 {
@@ -135,11 +123,11 @@ static void make_forms(size_t index, uint64_t seed, bool is_shared, forms *f)
     const tribox_box box = work->jobs[0].box;
     generator g = {seed + 1};
     f->vertices = is_shared ? count / 2 : 3 * count;
-    f->positions = allocate(3 * f->vertices, sizeof(float));
-    f->wide = allocate(3 * count, sizeof *f->wide);
-    f->narrow = f->vertices <= 65536 ? allocate(3 * count, sizeof *f->narrow) : NULL;
-    f->streams = allocate(9 * count, sizeof(float));
-    f->inside = allocate(tribox_mask_words(count), sizeof *f->inside);
+    f->positions = asked_allocate(3 * f->vertices, sizeof(float));
+    f->wide = asked_allocate(3 * count, sizeof *f->wide);
+    f->narrow = f->vertices <= 65536 ? asked_allocate(3 * count, sizeof *f->narrow) : NULL;
+    f->streams = asked_allocate(9 * count, sizeof(float));
+    f->inside = asked_allocate(tribox_mask_words(count), sizeof *f->inside);
     memcpy(f->positions, work->triangles, 3 * f->vertices * sizeof(float));
     for (size_t corner = 0; corner < 3 * count; corner++) {
         f->wide[corner] = is_shared ? (uint32_t)random_below(&g, f->vertices) : (uint32_t)corner;
@@ -206,87 +194,47 @@ static size_t enter(const forms *f, const char *kernel, input *inputs, contestan
     return count;
 }
 
-static void print(const forms *f, bool is_shared, const char *kernel, const contestant *list, const samples *taken)
+static bool ask_scene(asked *q, const char *name, bool is_shared)
 {
-    printf("\n%s%s: %zu triangles, %zu vertices, %s\n", f->at.name, is_shared ? ", vertices shared" : "", f->at.work.pairs,
-           f->vertices, kernel);
-    printf("%-24s %10s %14s\n", "", "ns", "times streams");
-    for (size_t c = 0; c < taken->contestants; c++)
-        printf("%-24s %10.4f %14.4f\n", list[c].name, measure_spread(taken, c).median, measure_ratio(taken, c, 0).median);
-    measure_warn_if_disturbed(stdout, taken);
-    fflush(stdout);
-}
-
-typedef struct settings {
-    const char *kernel;
-    effort how;
-} settings;
-
-static bool run_scene(const char *name, bool is_shared, const settings *s)
-{
-    enum { SEED = 1 };
-    static samples taken;
     contestant list[CONTESTANTS_MAX];
-    score scores[CONTESTANTS_MAX];
     input inputs[CONTESTANTS_MAX];
     forms f;
     size_t index;
     if (!scene_find(name, &index))
         return false;
-    make_forms(index, SEED, is_shared, &f);
+    make_forms(index, q->seed, is_shared, &f);
     const truth from = truth_of_work(&f.at.work);
-    const size_t count = enter(&f, s->kernel, inputs, list);
-    const bool is_right = entries_verify(list, count, name, &from, scores);
+    const size_t count = enter(&f, q->kernel, inputs, list);
+    const bool is_right = asked_measure(q, name, list, count, &from, asked_effort(q, 31, 8, 2e-3), f.at.work.words);
     if (is_right) {
-        uint64_t *const mask = allocate(f.at.work.words, sizeof *mask);
-        generator order = {~(uint64_t)SEED};
-        measure(list, count, s->how, &order, mask, &taken);
-        print(&f, is_shared, s->kernel, list, &taken);
-        free(mask);
+        printout_table(&q->out, "%s%s: %zu triangles, %zu vertices", name, is_shared ? ", vertices shared" : "", f.at.work.pairs,
+                       f.vertices);
+        for (size_t c = 0; c < count; c++) {
+            printout_text(&q->out, "input", list[c].name);
+            printout_times(&q->out, &q->taken, c);
+            printout_number(&q->out, "times_streams", 4, measure_ratio(&q->taken, c, 0).median);
+            printout_row(&q->out);
+        }
+        printout_disturbed(&q->out, &q->taken);
     }
     free_forms(&f);
     return is_right;
 }
 
-static const char usage[] =
-    "Usage: inputs [--kernel NAME] [--quick]\n"
-    "Times triangles as they are, indexed or nine floats each, against nine streams: EXACT, on one thread.\n";
-
-enum { OPTION_KERNEL, OPTION_QUICK };
-
-static const option_entry options[] = {
-    [OPTION_KERNEL] = {"kernel", 'k', true}, [OPTION_QUICK] = {"quick", 'q', false}, {NULL, 0, false}};
-
-static int take(void *request, int which, const char *value)
-{
-    settings *const s = request;
-    if (which == OPTION_OPERAND)
-        return message_usage("unexpected '%s'", value);
-    if (which == OPTION_QUICK)
-        s->how = (effort){.rounds = 7, .seconds = 1, .sample = 1e-3};
-    else
-        s->kernel = tribox_kernel_name(&(tribox_options){.kernel = value});
-    return s->kernel ? EXIT_CODE_OK : message_usage("--kernel: there is no '%s' here; see tribox info", value);
-}
-
-int main(int argc, char **argv)
+static bool answer(asked *q)
 {
     static const struct {
         const char *scene;
         bool is_shared;
     } plan[] = {{"paper", false},  {"paper", true}, {"cache", true}, {"sorted", false},
                 {"sparse", false}, {"hit", false},  {"cad", false},  {"touching", false}};
-    options_found found;
-    settings s = {.kernel = tribox_kernel_name(NULL), .how = {.rounds = 31, .seconds = 8, .sample = 2e-3}};
-    message_set_program("inputs");
-    const int code = options_read(argc, argv, options, take, &s, &found);
-    if (code)
-        return code;
-    if (found.wants_help)
-        return fputs(usage, stdout) < 0;
-    header_text(stdout, "", &(run){argc, argv, 1, machine_here()});
-    for (size_t k = 0; k < sizeof plan / sizeof plan[0]; k++)
-        if (!run_scene(plan[k].scene, plan[k].is_shared, &s))
-            return EXIT_CODE_FAILURE;
-    return EXIT_CODE_OK;
+    bool is_right = true;
+    for (size_t k = 0; is_right && k < sizeof plan / sizeof plan[0]; k++)
+        is_right = ask_scene(q, plan[k].scene, plan[k].is_shared);
+    return is_right;
 }
+
+const question question_inputs = {.name = "inputs",
+                                  .asks = "What do indexed meshes, and nine floats a triangle, cost compared with nine streams?",
+                                  .options = 1u << OPTION_KERNEL | 1u << OPTION_QUICK,
+                                  .answer = answer};

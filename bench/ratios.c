@@ -1,109 +1,59 @@
 /* ratios.c - how many times as fast as the paper's test is each kernel, and what does each accuracy cost? */
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "common/mesh_list.h"
+#include "common/entries.h"
 #include "common/soups.h"
-#include "common/table.h"
-#include "common/whole.h"
-#include "console/message.h"
-#include "console/option_reader.h"
-
-typedef struct settings {
-    uint64_t seed;
-    effort how;
-    const char *scene;  /* NULL for all */
-    const char *filter; /* part of a contestant's name; NULL for all */
-    bool is_json;
-    mesh_list meshes;
-} settings;
-
-static const char usage[] =
-    "Usage: ratios [--scene NAME] [--filter PART] [--rounds N] [--seed N] [--json] [MESH...]\n"
-    "Times every kernel and accuracy against the paper's test, on one thread, and prints a table for each scene.\n"
-    "  MESH           a PLY, OFF or OBJ file, against a box of half its sides and of a tenth, instead of the scenes;\n"
-    "                 $TRIBOX_MESHES may name a folder to look in\n"
-    "  --scene NAME   one scene; without it all of them, in a minute and a half\n"
-    "  --filter PART  only contestants whose name contains PART (avx2, exact, avx2-fast, ...), and always the baseline\n"
-    "  --rounds N     measure N rounds, 5 to 1000, however long they take; without it 31, or fewer where a scene is slow\n"
-    "  --seed N       of the scenes and of the order within the rounds\n"
-    "  --json         JSON instead of tables\n";
-
-enum { OPTION_SCENE, OPTION_FILTER, OPTION_ROUNDS, OPTION_SEED, OPTION_JSON };
-
-static const option_entry options[] = {
-    [OPTION_SCENE] = {"scene", 's', true}, [OPTION_FILTER] = {"filter", 'f', true}, [OPTION_ROUNDS] = {"rounds", 'r', true},
-    [OPTION_SEED] = {"seed", 0, true},     [OPTION_JSON] = {"json", 'j', false},    {NULL, 0, false}};
-
-static int take(void *request, int which, const char *value)
-{
-    settings *const s = request;
-    size_t index;
-    uint64_t rounds;
-    switch (which) {
-    case OPTION_SCENE:
-        s->scene = value;
-        return scene_find(value, &index) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
-    case OPTION_FILTER:
-        s->filter = value;
-        return EXIT_CODE_OK;
-    case OPTION_ROUNDS:
-        s->how.seconds = 1e9;
-        if (whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &rounds))
-            return EXIT_CODE_USAGE;
-        s->how.rounds = (size_t)rounds;
-        return EXIT_CODE_OK;
-    case OPTION_SEED:
-        return whole_read(value, "seed", 0, UINT64_MAX, &s->seed);
-    case OPTION_JSON:
-        s->is_json = true;
-        return EXIT_CODE_OK;
-    default:
-        return mesh_list_take(&s->meshes, value);
-    }
-}
+#include "questions.h"
 
 /* Those that the filter keeps, the baseline first. */
 static size_t keep_named(contestant *list, size_t count, const char *part)
 {
     size_t kept = 0;
     for (size_t c = 0; c < count; c++)
-        if (!part || entry_is_baseline(&list[c]) || strstr(list[c].name, part))
+        if (!part || c == 0 || strstr(list[c].name, part))
             list[kept++] = list[c];
     return kept;
 }
 
-static bool run_made(const scene *at, const settings *s, generator *order, json *out)
+static void tell_row(asked *q, const scene *at, const contestant *list, size_t c)
 {
-    static samples taken;
-    contestant list[CONTESTANTS_MAX];
-    score scores[CONTESTANTS_MAX];
-    const truth from = truth_of_work(&at->work);
-    const size_t count = keep_named(list, entries_make(&at->work, list), s->filter);
-    uint64_t *const mask = calloc(at->work.words, sizeof *mask);
-    const bool is_right = mask && entries_verify(list, count, at->name, &from, scores);
-    if (is_right) {
-        measure(list, count, s->how, order, mask, &taken);
-        const result r = {at, list, scores, &taken};
-        if (s->is_json)
-            table_json(out, &r);
-        else
-            table_scene(&r);
-    }
-    free(mask);
-    return is_right;
+    printout *const out = &q->out;
+    const size_t fast = entry_fast_of(list, q->taken.contestants, c);
+    const spread speed = measure_ratio(&q->taken, 0, c);
+    const bool is_answer = list[c].promise != PROMISE_NOTHING;
+    printout_text(out, "contestant", list[c].name);
+    printout_text_data(out, "scene", at->name);
+    printout_data(out, "triangles", (double)at->work.pairs);
+    printout_times(out, &q->taken, c);
+    printout_number(out, "times_baseline's_speed", 2, speed.median);
+    printout_number(out, "from", 2, speed.lower_quartile);
+    printout_number(out, "to", 2, speed.upper_quartile);
+    printout_number(out, "by_least", 2, measure_spread(&q->taken, 0).least / measure_spread(&q->taken, c).least);
+    printout_number(out, "times_own_fast's_ns", 2, fast == c ? (double)NAN : measure_ratio(&q->taken, c, fast).median);
+    printout_number(out, "undecided_%", 4,
+                    list[c].options.kernel ? 100 * (double)q->scores[c].undecided / (double)at->work.pairs : (double)NAN);
+    printout_number(out, "overlaps", 0, is_answer ? (double)q->scores[c].overlapping : (double)NAN);
+    printout_number(out, "unlike_EXACT", 0, is_answer ? (double)score_unlike(&q->scores[c]) : (double)NAN);
+    printout_row(out);
 }
 
-static bool run_scene(size_t index, const settings *s, generator *order, json *out)
+static bool ask_about(asked *q, const scene *at)
 {
-    scene at;
-    if (!scene_make(index, s->seed, &at))
+    contestant list[CONTESTANTS_MAX];
+    const truth from = truth_of_work(&at->work);
+    const tribox_box *const box = &at->work.jobs[0].box;
+    const size_t count = keep_named(list, entries_make(&at->work, list), q->text[OPTION_FILTER]);
+    if (count == 1)
+        return message_failure("no contestant here has '%s' in its name", q->text[OPTION_FILTER]) == EXIT_CODE_OK;
+    if (!asked_measure(q, at->name, list, count, &from, asked_effort(q, 31, 8, 2e-3), at->work.words))
         return false;
-    const bool is_right = run_made(&at, s, order, out);
-    scene_free(&at);
-    return is_right;
+    printout_table(&q->out, "scene %s: %zu triangles (%.3g MB), %s; box [%.8g, %.8g]^3; %zu rounds", at->name, at->work.pairs,
+                   36e-6 * (double)at->work.pairs, at->what, box->lo[0], box->hi[0], q->taken.rounds);
+    for (size_t c = 0; c < count; c++)
+        tell_row(q, at, list, c);
+    printout_disturbed(&q->out, &q->taken);
+    return true;
 }
 
 /* A share of each side, about the middle. */
@@ -139,68 +89,37 @@ static bool make_mesh(const indexed_mesh *m, double share, scene *at)
     return true;
 }
 
-static bool run_meshes(const settings *s, generator *order, json *out)
+static bool ask_mesh(asked *q, const char *path)
 {
+    indexed_mesh m;
+    bool is_right = mesh_list_read_indexed(path, &m);
+    for (int part = 0; is_right && part < 2; part++) {
+        scene at = {.name = mesh_list_name(path), .what = part ? "a tenth of its sides" : "half its sides"};
+        is_right = make_mesh(&m, part ? 0.1 : 0.5, &at) && ask_about(q, &at);
+        scene_free(&at);
+    }
+    indexed_mesh_free(&m);
+    return is_right;
+}
+
+static bool answer(asked *q)
+{
+    const char *const only = q->text[OPTION_SCENE];
     bool is_right = true;
-    for (size_t k = 0; is_right && k < s->meshes.count; k++) {
-        indexed_mesh m;
-        is_right = mesh_list_read_indexed(s->meshes.path[k], &m);
-        for (int part = 0; is_right && part < 2; part++) {
-            scene at = {.name = mesh_list_name(s->meshes.path[k]), .what = part ? "a tenth of its sides" : "half its sides"};
-            is_right = make_mesh(&m, part ? 0.1 : 0.5, &at) && run_made(&at, s, order, out);
-            scene_free(&at);
-        }
-        indexed_mesh_free(&m);
+    for (size_t k = 0; is_right && k < q->meshes.count; k++)
+        is_right = ask_mesh(q, q->meshes.path[k]);
+    for (size_t i = 0; is_right && (only || !q->meshes.count) && i < scene_count(); i++) {
+        scene at;
+        if (only ? strcmp(only, scene_name(i)) != 0 : !scene_is_usual(i))
+            continue;
+        is_right = scene_make(i, q->seed, &at) && ask_about(q, &at);
+        scene_free(&at);
     }
     return is_right;
 }
 
-static bool run_scenes(const settings *s, json *out)
-{
-    generator order = {~s->seed};
-    if (s->meshes.count && !s->scene)
-        return run_meshes(s, &order, out);
-    for (size_t i = 0; i < scene_count(); i++)
-        if ((!s->scene || !strcmp(s->scene, scene_name(i))) && !run_scene(i, s, &order, out))
-            return false;
-    return true;
-}
-
-static bool has_named(const char *part)
-{
-    contestant list[CONTESTANTS_MAX];
-    const timing_work none = {.mesh = {.count = 1}};
-    const size_t count = entries_make(&none, list);
-    for (size_t c = 0; c < count; c++)
-        if (strstr(list[c].name, part))
-            return true;
-    return false;
-}
-
-int main(int argc, char **argv)
-{
-    options_found found;
-    settings s = {.seed = 1, .how = {.rounds = 31, .seconds = 8, .sample = 2e-3}};
-    message_set_program("ratios");
-    const int code = options_read(argc, argv, options, take, &s, &found);
-    if (code)
-        return code;
-    if (found.wants_help)
-        return fputs(usage, stdout) < 0;
-    if (s.filter && !has_named(s.filter))
-        return message_usage("--filter: no contestant here has '%s' in its name; a run without --filter shows them all", s.filter);
-    const run r = {argc, argv, s.seed, machine_here()};
-    json out = json_to(stdout);
-    if (!s.is_json) {
-        header_text(stdout, "", &r);
-        return !run_scenes(&s, &out);
-    }
-    json_open_object(&out, NULL);
-    header_json(&out, &r);
-    json_open_rows(&out, "scenes");
-    if (!run_scenes(&s, &out))
-        return EXIT_CODE_FAILURE;
-    json_close(&out);
-    json_close(&out);
-    return EXIT_CODE_OK;
-}
+const question question_ratios = {.name = "ratios",
+                                  .asks = "How many times as fast as the paper's test is each kernel, at each accuracy?",
+                                  .options = 1u << OPTION_SCENE | 1u << OPTION_FILTER | 1u << OPTION_QUICK,
+                                  .takes_meshes = true,
+                                  .answer = answer};

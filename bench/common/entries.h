@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/* The paper's test is called "baseline". Returns how many there are. */
+/* The paper's test is called "baseline" and is the first. Returns how many there are. */
 size_t entries_make(const timing_work *work, contestant *list);
 
 /* Whether this is the paper's test. */

@@ -13,8 +13,25 @@ static const tribox_box offset_box = {{999999.5f, 999999.5f, 999999.5f}, {100000
 static const tribox_box tenths_box = {{0.8f, 0.8f, 0.8f}, {1.7f, 1.7f, 1.7f}};
 static const tribox_box quarter_cell = {{0.75f, 0.75f, 0.75f}, {1.25f, 1.25f, 1.25f}};
 static const tribox_box tenth_cell = {{0.3f, 0.3f, 0.3f}, {0.5f, 0.5f, 0.5f}};
+static const tribox_box box_001 = {{-0.005f, -0.005f, -0.005f}, {0.005f, 0.005f, 0.005f}};
+static const tribox_box box_01 = {{-0.05f, -0.05f, -0.05f}, {0.05f, 0.05f, 0.05f}};
+static const tribox_box box_03 = {{-0.15f, -0.15f, -0.15f}, {0.15f, 0.15f, 0.15f}};
+static const tribox_box box_2 = {{-1, -1, -1}, {1, 1, 1}};
+static const tribox_box box_4 = {{-2, -2, -2}, {2, 2, 2}};
 
-enum keep { KEEP_ALL, KEEP_OVERLAPPING, KEEP_EDGE_MISSES };
+enum keep { KEEP_ALL, KEEP_OVERLAPPING, KEEP_EDGE_MISSES, KEEP_PLANE_MISSES };
+
+/* Small triangles within the shadow of the unit box, above it: one box normal separates them, whatever the other axes do. */
+static void draw_above(generator *g, triangle t, int axis)
+{
+    draw_inside(g, t);
+    for (int j = 0; j < 3; j++)
+        t[j][axis] += 2;
+}
+
+static void draw_above_x(generator *g, triangle t) { draw_above(g, t, 0); }
+
+static void draw_above_z(generator *g, triangle t) { draw_above(g, t, 2); }
 
 static const struct recipe {
     const char *name, *what;
@@ -50,9 +67,20 @@ static const struct recipe {
     {"caps", "a vertex on the opposite edge, that edge as near to contact as floats come", &unit_box, 100000, draw_cap, KEEP_ALL,
      false},
     {"thin", "segments, and slivers 2^10 to 2^30 times as long as high", &unit_box, 100000, draw_thin, KEEP_ALL, false},
+    {"box-0.01", "the triangles of paper, box 0.01", &box_001, 100000, draw_paper, KEEP_ALL, false},
+    {"box-0.1", "the same, box 0.1", &box_01, 100000, draw_paper, KEEP_ALL, false},
+    {"box-0.3", "the same, box 0.3", &box_03, 100000, draw_paper, KEEP_ALL, false},
+    {"box-2", "the same, box 2", &box_2, 100000, draw_paper, KEEP_ALL, false},
+    {"box-4", "the same, box 4: all overlap", &box_4, 100000, draw_paper, KEEP_ALL, false},
+    {"plane", "those of paper that only the plane separates", &unit_box, 100000, draw_paper, KEEP_PLANE_MISSES, false},
+    {"miss-x", "triangles beside the box on the x axis", &unit_box, 100000, draw_above_x, KEEP_ALL, false},
+    {"miss-z", "triangles beside the box on the z axis", &unit_box, 100000, draw_above_z, KEEP_ALL, false},
 };
+enum { SCENES = sizeof recipes / sizeof recipes[0], FOR_ORDERS = 8 /* the last ones */ };
 
-size_t scene_count(void) { return sizeof recipes / sizeof recipes[0]; }
+size_t scene_count(void) { return SCENES; }
+
+bool scene_is_usual(size_t index) { return index < SCENES - FOR_ORDERS; }
 
 const char *scene_name(size_t index) { return recipes[index].name; }
 
@@ -63,13 +91,13 @@ enum { BATCH = 4096 };
 /* Of the first batch of a work, the triangles to keep, as a mask. */
 static bool choose(const timing_job *batch, const struct recipe *recipe, uint64_t chosen[BATCH / 64])
 {
-    uint64_t without_edges[BATCH / 64], with_all[BATCH / 64];
-    const tribox_options coarse = {.axes = TRIBOX_AXES_BOX | TRIBOX_AXES_PLANE};
-    if (tribox_overlap(&batch->soup, recipe->box, &coarse, without_edges, NULL) ||
+    uint64_t without[BATCH / 64], with_all[BATCH / 64];
+    const unsigned other = recipe->keep == KEEP_PLANE_MISSES ? TRIBOX_AXES_EDGES : TRIBOX_AXES_PLANE;
+    if (tribox_overlap(&batch->soup, recipe->box, &(tribox_options){.axes = TRIBOX_AXES_BOX | other}, without, NULL) ||
         tribox_overlap(&batch->soup, recipe->box, NULL, with_all, NULL))
         return false;
     for (size_t w = 0; w < BATCH / 64; w++)
-        chosen[w] = recipe->keep == KEEP_OVERLAPPING ? with_all[w] : without_edges[w] & ~with_all[w];
+        chosen[w] = recipe->keep == KEEP_OVERLAPPING ? with_all[w] : without[w] & ~with_all[w];
     return true;
 }
 

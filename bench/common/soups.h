@@ -15,6 +15,9 @@ typedef struct scene {
 } scene;
 
 size_t scene_count(void);
+
+/* Not made for the order of the axes alone. */
+bool scene_is_usual(size_t index);
 const char *scene_name(size_t index);
 const char *scene_what(size_t index);
 

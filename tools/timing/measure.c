@@ -138,13 +138,19 @@ size_t measure_wins(const samples *taken, size_t of, size_t to)
     return won;
 }
 
-void measure_warn_if_disturbed(FILE *to, const samples *taken)
+size_t measure_disturbed(const samples *taken)
 {
     size_t disturbed = 0;
     for (size_t c = 0; c < taken->contestants; c++) {
         const spread s = measure_spread(taken, c);
         disturbed += s.median > 1.1 * s.least;
     }
+    return disturbed;
+}
+
+void measure_warn_if_disturbed(FILE *to, const samples *taken)
+{
+    const size_t disturbed = measure_disturbed(taken);
     if (disturbed)
         fprintf(to, "disturbed: %zu of %zu have a median more than 10 %% above their least; trust the least times, or run again\n",
                 disturbed, taken->contestants);

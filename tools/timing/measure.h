@@ -44,7 +44,8 @@ spread measure_ratio(const samples *taken, size_t of, size_t to);
 /* In how many rounds `of` was faster than `to`. */
 size_t measure_wins(const samples *taken, size_t of, size_t to);
 
-/* Says so where other work took turns on the core: a quiet machine repeats a contestant to a few percent. */
+/* How many have a median more than 10 % above their least: a quiet machine repeats a contestant to a few percent. */
+size_t measure_disturbed(const samples *taken);
 void measure_warn_if_disturbed(FILE *to, const samples *taken);
 
 #ifdef __cplusplus

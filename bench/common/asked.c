@@ -1,0 +1,227 @@
+/* asked.c - reads command lines, says what may stand in them, and times contestants. */
+#include "asked.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "console/option_reader.h"
+#include "soups.h"
+
+enum { FOR_ALL = 1u << OPTION_ROUNDS | 1u << OPTION_SEED | 1u << OPTION_JSON | 1u << OPTION_CSV };
+
+/* A number has a most, a text has none. */
+static const struct {
+    const char *name, *value, *what;
+    uint64_t least, most;
+} table[OPTIONS] = {
+    [OPTION_ROUNDS] = {"rounds", "N", "measure N rounds, however long they take", 1, MEASURE_MOST},
+    [OPTION_SEED] = {"seed", "N", "of what is drawn, and of the order within the rounds", 0, UINT64_MAX},
+    [OPTION_JSON] = {"json", NULL, "JSON instead of text", 0, 0},
+    [OPTION_CSV] = {"csv", "FILE", "also writes the tables to a file", 0, 0},
+    [OPTION_KERNEL] = {"kernel", "NAME", "without it the widest", 0, 0},
+    [OPTION_QUICK] = {"quick", NULL, "little work and few rounds: seconds", 0, 0},
+    [OPTION_SCENE] = {"scene", "NAME", "one scene; an unknown one lists them", 0, 0},
+    [OPTION_NO_SCENES] = {"no-scenes", NULL, "meshes alone", 0, 0},
+    [OPTION_FILTER] = {"filter", "PART", "only contestants whose name contains it", 0, 0},
+    [OPTION_SIZE] = {"size", "N", "triangles of a scene", 64, 100000000},
+    [OPTION_FAST] = {"fast", NULL, "FAST; without it EXACT", 0, 0},
+    [OPTION_VERIFY] = {"verify", NULL, "compares answers, and times nothing", 0, 0},
+    [OPTION_CELLS] = {"cells", "N,...", "cells along the longest side", 2, 1 << 20},
+    [OPTION_TILE] = {"tile", "N", "cells of a tile along an axis, a multiple of 8", 8, 1024},
+    [OPTION_LIMIT] = {"limit", "SECONDS", "a rival that takes longer gets fewer triangles", 1, 3600},
+    [OPTION_OCTREE] = {"octree", "DEPTH", "the leaves of an octree over a mesh", 1, 12},
+    [OPTION_GRID] = {"grid", "N", "cells of a grid over a mesh, N along its longest side", 1, 4096},
+    [OPTION_BOXES] = {"boxes", "N", "boxes", 1, 100000},
+    [OPTION_TERRAIN] = {"terrain", "N", "triangles of a terrain that is made here", 0, UINT32_MAX},
+};
+
+static int whole_read(const char *text, asked_option o, uint64_t *number)
+{
+    char *end;
+    errno = 0;
+    const unsigned long long read = strtoull(text, &end, 0);
+    if (text[0] < '0' || text[0] > '9' || *end || errno || read < table[o].least || read > table[o].most)
+        return message_usage("--%s: '%s' is not a whole number from %" PRIu64 " to %" PRIu64, table[o].name, text, table[o].least,
+                             table[o].most);
+    *number = read;
+    return EXIT_CODE_OK;
+}
+
+/* Numbers with commas between them. */
+static int cells_read(const char *value, asked *q)
+{
+    for (q->cell_counts = 0; q->cell_counts < ASKED_CELLS; value++) {
+        const size_t length = strcspn(value, ",");
+        char number[16];
+        uint64_t cells = 0;
+        snprintf(number, sizeof number, "%.*s", (int)length, value);
+        if (whole_read(number, OPTION_CELLS, &cells))
+            return EXIT_CODE_USAGE;
+        q->cells[q->cell_counts++] = (uint32_t)cells;
+        value += length;
+        if (!*value)
+            return EXIT_CODE_OK;
+    }
+    return message_usage("--cells: give %d at most", ASKED_CELLS);
+}
+
+/* What the line is read into. */
+typedef struct reading {
+    asked *q;
+    const question *of;
+} reading;
+
+static int take(void *into, int which, const char *value)
+{
+    const reading *const r = into;
+    asked *const q = r->q;
+    size_t index;
+    if (which == OPTION_OPERAND)
+        return r->of->takes_meshes ? mesh_list_take(&q->meshes, value) : message_usage("unexpected '%s'", value);
+    if (!((FOR_ALL | r->of->options) >> which & 1))
+        return message_usage("unknown option '--%s'", table[which].name);
+    q->given |= UINT64_C(1) << which;
+    q->number[which] = 1;
+    q->text[which] = value;
+    if (which == OPTION_CELLS)
+        return cells_read(value, q);
+    if (which == OPTION_KERNEL) {
+        q->kernel = tribox_kernel_name(&(tribox_options){.kernel = value});
+        return q->kernel ? EXIT_CODE_OK : message_usage("--kernel: there is no '%s' here; see tribox info", value);
+    }
+    if (which == OPTION_SCENE)
+        return scene_find(value, &index) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
+    return table[which].most ? whole_read(value, (asked_option)which, &q->number[which]) : EXIT_CODE_OK;
+}
+
+static void print_option(const question *of, asked_option o)
+{
+    char option[32];
+    if (!((FOR_ALL | of->options) >> o & 1))
+        return;
+    snprintf(option, sizeof option, "--%s %s", table[o].name, table[o].value ? table[o].value : "");
+    printf("  %-16s %s\n", option, table[o].what);
+}
+
+static int print_help(const char *program, const question *of)
+{
+    printf("Usage: %s %s [OPTION...]%s\n%s\n", program, of->name,
+           of->needs_meshes   ? " MESH..."
+           : of->takes_meshes ? " [MESH...]"
+                              : "",
+           of->asks);
+    for (asked_option o = OPTION_ROUNDS; o < OPTIONS; o++)
+        print_option(of, o);
+    if (of->takes_meshes)
+        printf("  MESH             a PLY, OFF, OBJ or STL file; $TRIBOX_MESHES may name a folder to look in\n");
+    return ferror(stdout) != 0;
+}
+
+static int print_questions(const char *program, const question *const *questions, size_t count)
+{
+    printf("Usage: %s QUESTION [OPTION...] [MESH...]\n'%s QUESTION --help' says more.\n", program, program);
+    for (size_t k = 0; k < count; k++)
+        printf("  %-10s %s\n", questions[k]->name, questions[k]->asks);
+    return ferror(stdout) != 0;
+}
+
+static int answer(int argc, char **argv, const question *of, asked *q)
+{
+    const char *const csv = q->text[OPTION_CSV];
+    q->out.is_json = asked_has(q, OPTION_JSON);
+    q->out.csv = csv ? fopen(csv, "w") : NULL;
+    if (csv && !q->out.csv)
+        return message_failure("cannot write '%s'; does its folder exist?", csv);
+    printout_begin(&q->out, argc, argv, q->seed, q->kernel);
+    const bool is_right = of->answer(q);
+    printout_end(&q->out);
+    const bool is_lost = csv && ferror(q->out.csv), is_closed = !csv || !fclose(q->out.csv);
+    if (is_lost || !is_closed || fflush(stdout) || ferror(stdout))
+        return message_failure("the output is not complete; is the disk full?");
+    return is_right ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+}
+
+static const question *named(const question *const *questions, size_t count, const char *name)
+{
+    for (size_t k = 0; name && k < count; k++)
+        if (!strcmp(name, questions[k]->name))
+            return questions[k];
+    return NULL;
+}
+
+int asked_main(int argc, char **argv, const question *const *questions, size_t count, asked *q)
+{
+    const char *const slash = strrchr(argv[0], '/'), *const program = slash ? slash + 1 : argv[0];
+    const int skipped = count > 1;
+    const question *const of = skipped ? named(questions, count, argc > 1 ? argv[1] : NULL) : questions[0];
+    option_entry options[OPTIONS + 1] = {{NULL, 0, false}};
+    options_found found;
+    message_set_program(program);
+    if (!of && (argc < 2 || !strcmp(argv[1], "--help") || !strcmp(argv[1], "-h")))
+        return print_questions(program, questions, count);
+    if (!of)
+        return message_usage("there is no question '%s'", argv[1]);
+    for (int o = 0; o < OPTIONS; o++)
+        options[o] = (option_entry){table[o].name, 0, table[o].value};
+    q->kernel = tribox_kernel_name(NULL);
+    const int code = options_read(argc - skipped, argv + skipped, options, take, &(reading){q, of}, &found);
+    if (code)
+        return code;
+    if (found.wants_help)
+        return print_help(program, of);
+    if (of->needs_meshes && !q->meshes.count)
+        return message_usage("name a mesh file");
+    q->seed = asked_number(q, OPTION_SEED, 1);
+    q->order = (generator){~q->seed};
+    return answer(argc, argv, of, q);
+}
+
+uint64_t asked_number(const asked *q, asked_option option, uint64_t otherwise)
+{
+    return asked_has(q, option) ? q->number[option] : otherwise;
+}
+
+void asked_cells(asked *q, const uint32_t *otherwise, size_t count)
+{
+    if (q->cell_counts)
+        return;
+    memcpy(q->cells, otherwise, count * sizeof *otherwise);
+    q->cell_counts = count;
+}
+
+effort asked_effort(const asked *q, size_t rounds, double seconds, double sample)
+{
+    if (asked_has(q, OPTION_ROUNDS))
+        return (effort){.rounds = (size_t)q->number[OPTION_ROUNDS], .seconds = 1e9, .sample = sample};
+    return asked_has(q, OPTION_QUICK) ? (effort){.rounds = MEASURE_LEAST, .seconds = 0, .sample = sample / 2}
+                                      : (effort){.rounds = rounds, .seconds = seconds, .sample = sample};
+}
+
+bool asked_verify(asked *q, const char *name, const contestant *list, size_t count, const truth *from)
+{
+    char wrong[VERIFY_TEXT];
+    const bool is_right = verify(list, count, from, q->scores, wrong);
+    if (!is_right)
+        message_say("scene %s: %s; nothing is timed", name, wrong);
+    return is_right;
+}
+
+bool asked_measure(asked *q, const char *name, const contestant *list, size_t count, const truth *from, effort how, size_t words)
+{
+    if (from && !asked_verify(q, name, list, count, from))
+        return false;
+    uint64_t *const mask = asked_allocate(words + 1, sizeof *mask);
+    measure(list, count, how, &q->order, mask, &q->taken);
+    free(mask);
+    return true;
+}
+
+void *asked_allocate(size_t count, size_t size)
+{
+    void *const memory = calloc(count ? count : 1, size);
+    if (!memory)
+        exit(message_failure("out of memory for %zu bytes", count * size));
+    return memory;
+}

@@ -1,0 +1,89 @@
+/* asked.h - the options and meshes that a question is asked with, and what all questions do with them. */
+#ifndef BENCH_ASKED_H
+#define BENCH_ASKED_H
+
+#include "mesh_list.h"
+#include "printout.h"
+#include "timing/verify.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One table of them, for all questions: asked.c. */
+typedef enum asked_option {
+    OPTION_ROUNDS,
+    OPTION_SEED,
+    OPTION_JSON,
+    OPTION_CSV,
+    OPTION_KERNEL,
+    OPTION_QUICK,
+    OPTION_SCENE,
+    OPTION_NO_SCENES,
+    OPTION_FILTER,
+    OPTION_SIZE,
+    OPTION_FAST,
+    OPTION_VERIFY,
+    OPTION_CELLS,
+    OPTION_TILE,
+    OPTION_LIMIT,
+    OPTION_OCTREE,
+    OPTION_GRID,
+    OPTION_BOXES,
+    OPTION_TERRAIN,
+    OPTIONS
+} asked_option;
+
+enum { ASKED_CELLS = 16 };
+
+typedef struct asked {
+    uint64_t number[OPTIONS]; /* 1 of a flag that was given, and of a text */
+    const char *text[OPTIONS];
+    uint64_t given; /* bit o: option o */
+    uint64_t seed;
+    const char *kernel; /* one that runs here */
+    uint32_t cells[ASKED_CELLS];
+    size_t cell_counts;
+    mesh_list meshes;
+    generator order; /* of the turns */
+    printout out;
+    samples taken; /* by asked_measure */
+    score scores[CONTESTANTS_MAX];
+} asked;
+
+typedef struct question {
+    const char *name;
+    const char *asks;         /* a line for --help */
+    unsigned options;         /* bits of asked_option; those of all questions are not named */
+    bool takes_meshes;        /* files on the command line */
+    bool needs_meshes;        /* asks nothing without one */
+    bool (*answer)(asked *q); /* false after a line on standard error */
+} question;
+
+/* A main program: the question's name comes first, if there are several. Returns an exit_code. */
+int asked_main(int argc, char **argv, const question *const *questions, size_t count, asked *q);
+
+static inline bool asked_has(const asked *q, asked_option option) { return q->given >> option & 1; }
+
+/* What was given, or else... */
+uint64_t asked_number(const asked *q, asked_option option, uint64_t otherwise);
+void asked_cells(asked *q, const uint32_t *otherwise, size_t count);
+
+/* As many rounds as were given, or else at most so many within so many seconds; few if it shall be quick. */
+effort asked_effort(const asked *q, size_t rounds, double seconds, double sample);
+
+/*
+ * Verifies the list and times it, into `taken` and `scores`. from: NULL where there is nothing to compare. name: for the message
+ * if somebody is wrong, and nothing is timed. words: room for an answer.
+ */
+bool asked_measure(asked *q, const char *name, const contestant *list, size_t count, const truth *from, effort how, size_t words);
+bool asked_verify(asked *q, const char *name, const contestant *list, size_t count, const truth *from);
+
+/* Zeros. Ends the program if there is no memory. */
+void *asked_allocate(size_t count, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

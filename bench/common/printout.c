@@ -1,0 +1,230 @@
+/* printout.c - prints what was measured, and on what. */
+#include "printout.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "machine.h"
+#include "paper/paper.h"
+
+enum { LINE = 512 };
+
+/* An absolute path says nothing on another machine: its last part stands for it. */
+static void command_line(int argc, char **argv, char line[LINE])
+{
+    line[0] = 0;
+    for (int i = 0; i < argc; i++) {
+        const char *const slash = strrchr(argv[i], '/');
+        const size_t length = strlen(line);
+        snprintf(line + length, LINE - length, "%s%s", i ? " " : "", argv[i][0] == '/' && slash[1] ? slash + 1 : argv[i]);
+    }
+}
+
+static void tell(printout *r, const char *name, const char *value)
+{
+    if (r->is_json)
+        json_string(&r->to, name, value);
+    else
+        printf("%-10s %s\n", name, value);
+    if (r->csv)
+        fprintf(r->csv, "# %-10s %s\n", name, value);
+}
+
+void printout_begin(printout *r, int argc, char **argv, uint64_t seed, const char *kernel)
+{
+    const machine on = machine_here();
+    char line[LINE];
+    r->to = json_to(stdout);
+    if (r->is_json)
+        json_open_object(&r->to, NULL);
+    snprintf(line, sizeof line, "%s%s", on.processor, on.is_virtual ? ", virtual" : "");
+    tell(r, "processor", line);
+    tell(r, "compiler", on.compiler);
+    snprintf(line, sizeof line, "%s; baseline for: %s", on.flags, paper_instruction_set());
+    tell(r, "flags", line);
+    tell(r, "commit", on.commit);
+    command_line(argc, argv, line);
+    tell(r, "command", line);
+    snprintf(line, sizeof line, "%llu", (unsigned long long)seed);
+    tell(r, "seed", line);
+    tell(r, "kernel", kernel);
+    snprintf(line, sizeof line,
+             "one thread, not pinned; processor time, no hardware counters; load average %.2f before the start%s", on.load,
+             on.is_virtual ? "; a virtual machine, whose host may be shared" : "");
+    tell(r, "limits", line);
+    if (r->is_json)
+        json_open_rows(&r->to, "tables");
+}
+
+static void close_table(printout *r)
+{
+    if (r->is_json && r->is_table_open) {
+        json_close(&r->to);
+        json_close(&r->to);
+    }
+    r->is_table_open = r->has_rows = false;
+}
+
+void printout_end(printout *r)
+{
+    close_table(r);
+    if (r->is_json) {
+        json_close(&r->to);
+        json_close(&r->to);
+    }
+}
+
+void printout_table(printout *r, const char *title, ...)
+{
+    char line[LINE];
+    va_list values;
+    va_start(values, title);
+    vsnprintf(line, sizeof line, title, values);
+    va_end(values);
+    close_table(r);
+    r->is_table_open = true;
+    if (r->is_json) {
+        json_open_object(&r->to, NULL);
+        json_string(&r->to, "title", line);
+        json_open_rows(&r->to, "rows");
+    } else
+        printf("\n%s\n", line);
+}
+
+static void add(printout *r, printout_column column)
+{
+    if (r->columns < PRINTOUT_COLUMNS)
+        r->row[r->columns++] = column;
+}
+
+void printout_text(printout *r, const char *name, const char *text) { add(r, (printout_column){name, text, NAN, 0, false}); }
+
+void printout_number(printout *r, const char *name, int decimals, double number)
+{
+    add(r, (printout_column){name, NULL, number, decimals, false});
+}
+
+void printout_text_data(printout *r, const char *name, const char *text) { add(r, (printout_column){name, text, NAN, 0, true}); }
+
+void printout_data(printout *r, const char *name, double number) { add(r, (printout_column){name, NULL, number, 6, true}); }
+
+void printout_times(printout *r, const samples *taken, size_t c)
+{
+    const spread ns = measure_spread(taken, c);
+    printout_number(r, "ns_median", 3, ns.median);
+    printout_number(r, "ns_least", 3, ns.least);
+    printout_data(r, "ns_lower_quartile", ns.lower_quartile);
+    printout_data(r, "ns_upper_quartile", ns.upper_quartile);
+    printout_data(r, "rounds", (double)taken->rounds);
+}
+
+/* Text is on the left of its column, the first one wide enough for names. */
+static int width_of(const printout_column *c, bool is_first)
+{
+    const int least = is_first && c->text ? 24 : 9, length = (int)strlen(c->name);
+    return length > least ? length : least;
+}
+
+static void print_text(const printout *r, bool is_head)
+{
+    bool is_first = true;
+    for (size_t k = 0; k < r->columns; k++) {
+        const printout_column *const c = &r->row[k];
+        char text[LINE];
+        if (c->is_data)
+            continue;
+        snprintf(text, sizeof text, "%s", is_head ? c->name : c->text ? c->text : "-");
+        for (char *at = text; is_head && *at; at++)
+            *at = (char)(*at == '_' ? ' ' : *at);
+        if (!is_head && !c->text && !isnan(c->number))
+            snprintf(text, sizeof text, "%.*f", c->decimals, c->number);
+        const int width = width_of(c, is_first);
+        printf("%s%*s", is_first ? "" : "  ", c->text ? -width : width, text);
+        is_first = false;
+    }
+    printf("\n");
+}
+
+static void print_json(printout *r)
+{
+    json_open_object(&r->to, NULL);
+    for (size_t k = 0; k < r->columns; k++)
+        if (r->row[k].text)
+            json_string(&r->to, r->row[k].name, r->row[k].text);
+        else
+            json_number(&r->to, r->row[k].name, r->row[k].decimals ? 7 : 15, r->row[k].number);
+    json_close(&r->to);
+}
+
+/* Names of columns are in the file where they are others than before. */
+static void print_csv(printout *r)
+{
+    char head[sizeof r->csv_head] = "";
+    for (size_t k = 0; k < r->columns; k++) {
+        const size_t length = strlen(head);
+        snprintf(head + length, sizeof head - length, "%s%s", k ? "," : "", r->row[k].name);
+    }
+    if (strcmp(head, r->csv_head) != 0)
+        fprintf(r->csv, "%s\n", head);
+    memcpy(r->csv_head, head, sizeof head);
+    for (size_t k = 0; k < r->columns; k++)
+        if (r->row[k].text || isnan(r->row[k].number))
+            fprintf(r->csv, "%s%s", k ? "," : "", r->row[k].text ? r->row[k].text : "");
+        else
+            fprintf(r->csv, "%s%.*g", k ? "," : "", r->row[k].decimals ? 7 : 15, r->row[k].number);
+    fprintf(r->csv, "\n");
+}
+
+void printout_row(printout *r)
+{
+    if (r->csv)
+        print_csv(r);
+    if (r->is_json)
+        print_json(r);
+    else if (!r->has_rows)
+        print_text(r, true);
+    if (!r->is_json)
+        print_text(r, false);
+    fflush(stdout);
+    r->has_rows = true;
+    r->columns = 0;
+}
+
+void printout_note(printout *r, const char *text, ...)
+{
+    char line[LINE];
+    va_list values;
+    va_start(values, text);
+    vsnprintf(line, sizeof line, text, values);
+    va_end(values);
+    if (!r->is_json) {
+        printf("%s\n", line);
+        return;
+    }
+    close_table(r);
+    json_open_object(&r->to, NULL);
+    json_string(&r->to, "note", line);
+    json_close(&r->to);
+}
+
+void printout_goal(printout *r, const char *what, bool is_most, double goal, double reached)
+{
+    char padded[64];
+    snprintf(padded, sizeof padded, "%-62s", what);
+    printout_text(r, "what", padded);
+    printout_text(r, "bound", is_most ? "at most" : "at least");
+    printout_number(r, "goal", 2, goal);
+    printout_number(r, "here", 2, reached);
+    printout_text(r, "is", (is_most ? reached <= goal : reached >= goal) ? "reached" : "NOT reached");
+    printout_row(r);
+}
+
+void printout_disturbed(printout *r, const samples *taken)
+{
+    const size_t disturbed = measure_disturbed(taken);
+    if (disturbed)
+        printout_note(r,
+                      "disturbed: %zu of %zu have a median more than 10 %% above their least; trust the least times, or run again",
+                      disturbed, taken->contestants);
+}

@@ -1,0 +1,69 @@
+/*
+ * printout.h - the one output of all benchmarks: on what was measured, then tables. A row is told column by column, and printed as
+ * text, as JSON or as CSV, whose names of columns are the same; in text a line stands for a space.
+ */
+#ifndef BENCH_PRINTOUT_H
+#define BENCH_PRINTOUT_H
+
+#include <stdio.h>
+
+#include "console/json.h"
+#include "timing/measure.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct printout_column {
+    const char *name, *text; /* NULL for a number, NAN where there is none */
+    double number;
+    int decimals;
+    bool is_data; /* not in the text */
+} printout_column;
+
+enum { PRINTOUT_COLUMNS = 40 };
+
+typedef struct printout {
+    bool is_json, is_table_open, has_rows;
+    json to;
+    FILE *csv; /* NULL for none */
+    char csv_head[1024];
+    printout_column row[PRINTOUT_COLUMNS];
+    size_t columns;
+} printout;
+
+/* Processor, compiler, flags, commit, command, seed, kernel and limits. Without them a figure says nothing. */
+void printout_begin(printout *r, int argc, char **argv, uint64_t seed, const char *kernel);
+void printout_end(printout *r);
+
+/* The title of a table, in a line; rows follow. */
+__attribute__((format(printf, 2, 3))) void printout_table(printout *r, const char *title, ...);
+
+/* Adds a column to the row. name, text: used until printout_row. */
+void printout_text(printout *r, const char *name, const char *text);
+void printout_number(printout *r, const char *name, int decimals, double number);
+
+/* The same, but for JSON and CSV alone. */
+void printout_text_data(printout *r, const char *name, const char *text);
+void printout_data(printout *r, const char *name, double number);
+
+/* The median and the least time of a contestant; in JSON and CSV the quartiles, too. */
+void printout_times(printout *r, const samples *taken, size_t c);
+
+/* The row is complete. */
+void printout_row(printout *r);
+
+/* A line below the table. */
+__attribute__((format(printf, 2, 3))) void printout_note(printout *r, const char *text, ...);
+
+/* A row of a table of what was to be reached. is_most: the goal is the most that it may be, not the least that it should be. */
+void printout_goal(printout *r, const char *what, bool is_most, double goal, double reached);
+
+/* Says so where other work took turns on the core: a quiet machine repeats a contestant to a few percent. */
+void printout_disturbed(printout *r, const samples *taken);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,9 @@
+/* main.c - tribox-bench: the table of questions. */
+#include "questions.h"
+
+int main(int argc, char **argv)
+{
+    static const question *const questions[] = {&question_ratios, &question_inputs};
+    static asked q;
+    return asked_main(argc, argv, questions, sizeof questions / sizeof questions[0], &q);
+}

@@ -1,0 +1,9 @@
+/* questions.h - what tribox-bench can be asked, a file each. */
+#ifndef BENCH_QUESTIONS_H
+#define BENCH_QUESTIONS_H
+
+#include "common/asked.h"
+
+extern const question question_ratios, question_inputs;
+
+#endif
