@@ -4,6 +4,6 @@
 
 #include "common/asked.h"
 
-extern const question question_ratios, question_inputs;
+extern const question question_ratios, question_inputs, question_sweep;
 
 #endif

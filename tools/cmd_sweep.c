@@ -204,7 +204,8 @@ static int find(findings *f)
     generator turns = {1};
     if (terminal_is(stderr))
         message_say("timing %zu pairs", f->work->pairs);
-    const char *const failure = sweep_run(&f->s, f->work, f->r->is_quick ? 0 : 2, &turns);
+    const effort how = {.rounds = SWEEP_ROUNDS, .seconds = f->r->is_quick ? 0 : 2, .sample = 5e-4};
+    const char *const failure = sweep_run(&f->s, f->work, how, &turns);
     if (failure)
         return message_failure("%s: %s", f->r->mesh_path, failure);
     why_find(f->work, &f->w);

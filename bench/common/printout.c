@@ -122,7 +122,7 @@ void printout_times(printout *r, const samples *taken, size_t c)
 /* Text is on the left of its column, the first one wide enough for names. */
 static int width_of(const printout_column *c, bool is_first)
 {
-    const int least = is_first && c->text ? 24 : 9, length = (int)strlen(c->name);
+    const int least = !c->text ? 9 : is_first ? 24 : 12, length = (int)strlen(c->name);
     return length > least ? length : least;
 }
 

@@ -33,7 +33,7 @@ static void enter_all(sweep *s, const timing_work *work)
     }
 }
 
-const char *sweep_run(sweep *s, const timing_work *work, double seconds, generator *turns)
+const char *sweep_run(sweep *s, const timing_work *work, effort how, generator *turns)
 {
     static char wrong[VERIFY_TEXT];
     const truth from = truth_of_work(work);
@@ -43,7 +43,7 @@ const char *sweep_run(sweep *s, const timing_work *work, double seconds, generat
     uint64_t *const mask = malloc((work->words + 1) * sizeof *mask);
     if (!mask)
         return "out of memory for the answers";
-    measure(s->list, s->count, (effort){.rounds = SWEEP_ROUNDS, .seconds = seconds, .sample = 5e-4}, turns, mask, &s->taken);
+    measure(s->list, s->count, how, turns, mask, &s->taken);
     free(mask);
     return NULL;
 }

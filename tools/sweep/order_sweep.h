@@ -18,7 +18,7 @@ typedef struct sweep {
     samples taken;
 } sweep;
 
-extern const unsigned sweep_orders[SWEEP_ORDERS]; /* the default, then the fixed ones */
+extern const unsigned sweep_orders[SWEEP_ORDERS];                /* the default, then the fixed ones */
 extern const tribox_accuracy sweep_accuracies[SWEEP_ACCURACIES]; /* fast, conservative, exact */
 
 /* The choices of axes that leave something out, cheapest tests first. */
@@ -26,10 +26,10 @@ extern const unsigned sweep_axes[SWEEP_AXES];
 
 /*
  * Enters the paper's test in every fixed order and, for each kernel, all axes in every order at every accuracy, and every choice of
- * axes in the default order at EXACT. Verifies them, then times rounds for `seconds`, but MEASURE_LEAST at least. Returns NULL, or
- * what is wrong, in a text that lasts until the next call.
+ * axes in the default order at EXACT. Verifies and times them. Returns NULL, or what is wrong, in a text that lasts until the next
+ * call.
  */
-const char *sweep_run(sweep *s, const timing_work *work, double seconds, generator *turns);
+const char *sweep_run(sweep *s, const timing_work *work, effort how, generator *turns);
 
 /* The contestant with these options, or NULL. A kernel of NULL is the paper's test, whose accuracy is FAST and order fixed. */
 const contestant *sweep_find(const sweep *s, const char *kernel, tribox_accuracy accuracy, unsigned axes, unsigned order);

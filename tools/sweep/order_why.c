@@ -10,6 +10,12 @@
 const unsigned why_orders[WHY_ORDERS] = {123, 132, 213, 231, 312, 321};
 const unsigned why_lanes[WHY_WIDTHS] = {1, 4, 8, 16};
 
+/* A triangle against a box, in double: bit k is for axis k. */
+typedef struct why_axes {
+    unsigned apart; /* the axis separates the two */
+    unsigned outer; /* the same, of an edge axis the outer side alone, as the kernels test it besides the box normals */
+} why_axes;
+
 enum { BOX_BITS = 7, PLANE_BITS = 1 << WHY_PLANE, EDGE_BITS = 0x1ff << WHY_EDGES };
 
 const char *why_axis_name(int axis)
@@ -81,7 +87,7 @@ static void ask_edge(const shape *s, int i, int j, why_axes *found)
     found->outer |= is_outer ? bit : 0;
 }
 
-why_axes why_axes_of(const float triangle[3][3], const tribox_box *box)
+static why_axes why_axes_of(const float triangle[3][3], const tribox_box *box)
 {
     const shape s = shape_of(triangle, box);
     why_axes found;

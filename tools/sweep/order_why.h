@@ -17,15 +17,6 @@ extern const unsigned why_lanes[WHY_WIDTHS];  /* 1, 4, 8, 16 */
 /* The index of a kernel's lanes in why_lanes, by its name; "paper" has one. */
 int why_width_of(const char *kernel);
 
-/* A triangle against a box, in double: bit k is for axis k. */
-typedef struct why_axes {
-    unsigned apart; /* the axis separates the two */
-    unsigned
-        outer; /* the same, but of an edge axis only the outer side of the edge, as the kernels test it besides the box normals */
-} why_axes;
-
-why_axes why_axes_of(const float triangle[3][3], const tribox_box *box);
-
 typedef struct why_order {
     size_t first[WHY_AXES];             /* pairs by the axis that is the first to reject them, one pair at a time */
     size_t packets_left[WHY_WIDTHS][3]; /* packets with a pair left after the first, second and third group */

@@ -1,12 +1,12 @@
 # trade.gp - what EXACT costs and what FAST loses, a line for each scene and mesh, of the widest kernel alone.
-#   gnuplot -c trade.gp FILE.csv OUT.svg   FILE.csv: of the program accuracy
+#   gnuplot -c trade.gp FILE.csv OUT.svg   FILE.csv: of tribox-bench sweep --csv
 csv = ARG1
 set datafile separator ","
 
-scenes = system(sprintf("awk -F, '!/^#/ && $4 == \"all\" && !seen[$1]++ && NR > 1 && $1 != \"scene\" { print $1 }' '%s'", csv))
-widest = system(sprintf("awk -F, '!/^#/ && $4 == \"all\" && $6 == \"fast\" { print $5; exit }' '%s'", csv))
+scenes = system(sprintf("awk -F, '$3 == \"all\" && !seen[$4]++ { print $4 }' '%s'", csv))
+widest = system(sprintf("awk -F, '$2 == \"fast\" && $3 == \"all\" { print $1; exit }' '%s'", csv))
 number(scene, accuracy, column) = real(system(sprintf( \
-    "awk -F, '$1 == \"%s\" && $4 == \"all\" && $5 == \"%s\" && $6 == \"%s\" { print %s }' '%s'", scene, widest, accuracy, column, csv)))
+    "awk -F, '$4 == \"%s\" && $3 == \"all\" && $1 == \"%s\" && $2 == \"%s\" { print %s }' '%s'", scene, widest, accuracy, column, csv)))
 
 # What the scenes of the benchmark are.
 about(scene) = scene eq "paper" ? "the paper's: triangles at random" : scene eq "sparse" ? "small, scattered: nearly all miss" : \
@@ -43,9 +43,9 @@ set label 4 "wrong answers of FAST" at screen 790 / width, screen 1 - 46 / heigh
 do for [s = 1:lines] {
     scene = word(scenes, s)
     y = lines - s
-    fast = number(scene, "fast", "$10")
-    exact = number(scene, "exact", "$10")
-    wrong = number(scene, "fast", "$16 + $17")
+    fast = number(scene, "fast", "$5")
+    exact = number(scene, "exact", "$5")
+    wrong = number(scene, "fast", "$11 + $12")
     most = fast > exact ? fast : exact
     set ytics add (about(scene) y)
     set arrow 10 + s from fast, y to exact, y nohead lw 3 lc rgb "#b8c4cc"

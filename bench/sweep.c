@@ -1,0 +1,227 @@
+/*
+ * sweep.c - what does each accuracy, choice and order of the axes cost, how often does it err, and why? What tribox sweep says of a
+ * mesh, for scenes too: all contestants of a scene run interleaved.
+ */
+#include "sweep/order_sweep.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/entries.h"
+#include "common/soups.h"
+#include "console/accuracy.h"
+#include "paper/paper.h"
+#include "questions.h"
+#include "sweep/order_why.h"
+#include "sweep/sweep_work.h"
+
+static const char *const axes_names[] = {"", "box", "plane", "box+plane", "edges", "box+edges", "plane+edges", "all"};
+
+/* What the project set out to reach, in times the time of FAST of the same kernel. */
+static const struct goal {
+    const char *scene, *contestant;
+    double most;
+} goals[] = {
+    {"paper", "avx2-exact", 1.10},   {"paper", "avx2-conservative", 1.10},
+    {"paper", "avx512-exact", 1.10}, {"paper", "avx512-conservative", 1.10},
+    {"cad", "avx2-exact", 2},        {"cad", "avx512-exact", 2},
+    {"cad-tenths", "avx2-exact", 2}, {"cad-tenths", "avx512-exact", 2},
+    {"touching", "avx2-exact", 12},  {"touching", "avx512-exact", 12},
+};
+
+/* What was found of a scene: of a sweep, or of other choices of axes. */
+typedef struct found {
+    const char *name;
+    size_t pairs, count;
+    const contestant *list;
+    const score *scores;
+    const samples *taken;
+} found;
+
+static double share_of(size_t part, size_t of, double unit) { return of ? unit * (double)part / (double)of : (double)NAN; }
+
+static double times_fast(const found *f, size_t c)
+{
+    const size_t fast = entry_fast_of(f->list, f->count, c);
+    return fast == c ? (double)NAN : measure_ratio(f->taken, c, fast).median;
+}
+
+/* What a pair that float leaves undecided costs beyond a pair that it decides, in nanoseconds; NAN where there are next to none. */
+static double undecided_ns(const found *f, size_t c)
+{
+    const double share = share_of(f->scores[c].undecided, f->pairs, 1), least_share = 5e-3;
+    const size_t fast = entry_fast_of(f->list, f->count, c);
+    return fast == c || share < least_share ? (double)NAN
+                                            : (measure_spread(f->taken, c).least - measure_spread(f->taken, fast).least) / share;
+}
+
+static void tell_accuracy(printout *out, const found *f, size_t c)
+{
+    const tribox_options *const own = &f->list[c].options;
+    const score *const s = &f->scores[c];
+    printout_text(out, "kernel", own->kernel ? own->kernel : "paper");
+    printout_text(out, "accuracy", own->kernel ? accuracy_word(own->accuracy) : "");
+    printout_text(out, "axes", axes_names[own->axes]);
+    printout_text_data(out, "scene", f->name);
+    printout_times(out, f->taken, c);
+    printout_number(out, "times_fast", 2, times_fast(f, c));
+    printout_number(out, "missed_a_million", 1, share_of(s->of_accuracy.missed, f->pairs, 1e6));
+    printout_number(out, "untrue_a_million", 1, share_of(s->of_accuracy.untrue, f->pairs, 1e6));
+    printout_number(out, "extra_a_million", 1, share_of(s->of_all.untrue, f->pairs, 1e6));
+    printout_number(out, "undecided_%", 4, own->kernel ? share_of(s->undecided, f->pairs, 100) : (double)NAN);
+    printout_number(out, "ns_each", 1, undecided_ns(f, c));
+    printout_row(out);
+}
+
+/* With all axes: the paper's test as published, and each kernel in the default order. */
+static void tell_accuracies(printout *out, const found *f)
+{
+    for (size_t c = 0; c < f->count; c++) {
+        const tribox_options *const own = &f->list[c].options;
+        if (own->axes == TRIBOX_AXES_ALL && own->axis_order == (own->kernel ? SWEEP_DEFAULT : PAPER_ORDER))
+            tell_accuracy(out, f, c);
+    }
+}
+
+/* The other choices of them, with one kernel. */
+static bool tell_choices(asked *q, const char *name, const timing_work *work)
+{
+    contestant list[SWEEP_AXES * SWEEP_ACCURACIES];
+    const size_t count = sizeof list / sizeof list[0];
+    const truth from = truth_of_work(work);
+    const found f = {name, work->pairs, count, list, q->scores, &q->taken};
+    for (size_t c = 0; c < count; c++)
+        list[c] = contestant_kernel(work, &(tribox_options){.accuracy = sweep_accuracies[c % SWEEP_ACCURACIES],
+                                                            .axes = sweep_axes[c / SWEEP_ACCURACIES],
+                                                            .kernel = q->kernel});
+    if (!asked_measure(q, name, list, count, &from, asked_effort(q, SWEEP_ROUNDS, 2, 5e-4), work->words))
+        return false;
+    for (size_t c = 0; c < count; c++)
+        tell_accuracy(&q->out, &f, c);
+    return true;
+}
+
+static void tell_goals(printout *out, const found *f)
+{
+    for (size_t g = 0; g < sizeof goals / sizeof goals[0]; g++)
+        for (size_t c = 0; !strcmp(goals[g].scene, f->name) && c < f->count; c++) {
+            const tribox_options *const own = &f->list[c].options;
+            if (!strcmp(goals[g].contestant, f->list[c].name) && !own->axis_order && own->axes == TRIBOX_AXES_ALL)
+                printout_note(out, "goal: %s at most %.2f times fast: %s, %.2f", goals[g].contestant, goals[g].most,
+                              times_fast(f, c) <= goals[g].most ? "reached" : "NOT reached", times_fast(f, c));
+        }
+}
+
+/* Nanoseconds, least of the rounds, of one kernel and accuracy. */
+static void tell_order(printout *out, const sweep *s, const char *kernel, tribox_accuracy accuracy)
+{
+    const contestant *const best = sweep_best(s, kernel, accuracy);
+    printout_text(out, "kernel", kernel ? kernel : "paper");
+    printout_text(out, "accuracy", kernel ? accuracy_word(accuracy) : "");
+    for (int o = 0; o < SWEEP_ORDERS; o++) {
+        static const char *const names[SWEEP_ORDERS] = {"default", "123", "132", "213", "231", "312", "321"};
+        const contestant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
+        printout_number(out, names[o], 3, one ? sweep_time(s, one) : (double)NAN);
+    }
+    const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
+    const bool is_faster = plain && sweep_beats(s, best, plain);
+    printout_number(out, "faster_than_default", 0, is_faster ? best->options.axis_order : (double)NAN);
+    printout_row(out);
+}
+
+/* Counts that are the same on every machine. */
+static void tell_packets(printout *out, const why *w)
+{
+    for (int o = 0; o < WHY_ORDERS; o++) {
+        static const char *const names[WHY_WIDTHS] = {"1_lane", "4_lanes", "8_lanes", "16_lanes"};
+        static const char *const bytes[WHY_WIDTHS] = {"bytes_of_1", "bytes_of_4", "bytes_of_8", "bytes_of_16"};
+        printout_number(out, "order", 0, why_orders[o]);
+        for (int l = 0; l < WHY_WIDTHS; l++)
+            printout_number(out, names[l], 1, share_of(w->order[o].packets_left[l][0], w->packets[l], 100));
+        for (int l = 0; l < WHY_WIDTHS; l++)
+            printout_number(out, bytes[l], 1, share_of(w->order[o].bytes[l], w->pairs, 1));
+        printout_row(out);
+    }
+}
+
+static bool ask_about(asked *q, const char *name, const char *what, const timing_work *work)
+{
+    static sweep s;
+    static why w;
+    printout *const out = &q->out;
+    const char *const failure = sweep_run(&s, work, asked_effort(q, SWEEP_ROUNDS, 4, 5e-4), &q->order), *kernel;
+    const found f = {name, work->pairs, s.count, s.list, s.scores, &s.taken};
+    if (failure)
+        return message_failure("scene %s: %s; nothing is reported", name, failure) == EXIT_CODE_OK;
+    why_find(work, &w);
+    printout_table(out, "scene %s: %s; %zu pairs in %zu soups, of which %.2f %% overlap; %zu rounds", name, what, work->pairs,
+                   work->count, share_of(w.overlapping, w.pairs, 100), s.taken.rounds);
+    tell_accuracies(out, &f);
+    if (!tell_choices(q, name, work))
+        return false;
+    tell_goals(out, &f);
+    printout_disturbed(out, &s.taken);
+    printout_table(out, "%s: ns a pair, least of the rounds, by order of the axes: 1 box normals, 2 plane, 3 edges", name);
+    tell_order(out, &s, NULL, TRIBOX_FAST);
+    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
+        for (int a = 0; a < SWEEP_ACCURACIES; a++)
+            tell_order(out, &s, kernel, sweep_accuracies[a]);
+    printout_table(out, "%s: percent of the packets left after the first group of axes; bytes loaded for a pair", name);
+    tell_packets(out, &w);
+    return true;
+}
+
+static bool ask_scene(asked *q, size_t index)
+{
+    scene at;
+    if (!scene_make(index, q->seed, &at))
+        return false;
+    timing_work_shorten(&at.work, (size_t)asked_number(q, OPTION_SIZE, asked_has(q, OPTION_QUICK) ? 65536 : SIZE_MAX));
+    const bool is_right = ask_about(q, at.name, at.what, &at.work);
+    scene_free(&at);
+    return is_right;
+}
+
+static bool ask_mesh(asked *q, const char *path)
+{
+    const bool has_grid = asked_has(q, OPTION_GRID);
+    sweep_wish wish = {.kind = has_grid ? SWEEP_GRID : SWEEP_OCTREE,
+                       .depth = (unsigned)asked_number(q, OPTION_OCTREE, 0),
+                       .along = (unsigned)q->number[OPTION_GRID]};
+    char what[128];
+    timing_work work;
+    mesh m;
+    if (!mesh_list_read(path, &m))
+        return false;
+    const bool is_made = sweep_work_make(path, &m, &wish, &work) == EXIT_CODE_OK;
+    mesh_free(&m);
+    if (!is_made)
+        return false;
+    sweep_work_describe(&wish, &work, what, sizeof what);
+    const bool is_right = ask_about(q, mesh_list_name(path), what, &work);
+    timing_work_free(&work);
+    return is_right;
+}
+
+static bool answer(asked *q)
+{
+    static const char *const usual[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",
+                                        "touching-ulp", "offset", "needles", "caps",       "thin"};
+    const char *const one = q->text[OPTION_SCENE];
+    const size_t count = one ? 1 : asked_has(q, OPTION_NO_SCENES) ? 0 : sizeof usual / sizeof usual[0];
+    bool is_right = true;
+    size_t index;
+    for (size_t k = 0; is_right && k < count; k++)
+        is_right = scene_find(one ? one : usual[k], &index) && ask_scene(q, index);
+    for (size_t k = 0; is_right && k < q->meshes.count; k++)
+        is_right = ask_mesh(q, q->meshes.path[k]);
+    return is_right;
+}
+
+const question question_sweep = {.name = "sweep",
+                                 .asks = "What does each accuracy, choice and order of the axes cost, and how often does it err?",
+                                 .options = 1u << OPTION_QUICK | 1u << OPTION_KERNEL | 1u << OPTION_SCENE | 1u << OPTION_NO_SCENES |
+                                            1u << OPTION_SIZE | 1u << OPTION_OCTREE | 1u << OPTION_GRID,
+                                 .takes_meshes = true,
+                                 .answer = answer};
