@@ -3,7 +3,7 @@
 
 int main(int argc, char **argv)
 {
-    static const question *const questions[] = {&question_ratios, &question_inputs, &question_sweep};
+    static const question *const questions[] = {&question_ratios, &question_inputs, &question_sweep, &question_grids};
     static asked q;
     return asked_main(argc, argv, questions, sizeof questions / sizeof questions[0], &q);
 }

@@ -4,6 +4,6 @@
 
 #include "common/asked.h"
 
-extern const question question_ratios, question_inputs, question_sweep;
+extern const question question_ratios, question_inputs, question_sweep, question_grids;
 
 #endif
