@@ -9,14 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/entries.h"
-#include "common/header.h"
 #include "common/soups.h"
-#include "common/whole.h"
 #include "console/accuracy.h"
-#include "console/message.h"
-#include "console/option_reader.h"
 #include "paper/paper.h"
+#include "questions.h"
 
 /* The last counts are there because they are full packets, after 100 and 1000, of 8 or of 16 lanes. */
 enum { COUNTS = 16, COUNTS_SHOWN = 13, PAIRS = 4096, CALLS_MOST = 1024, KERNELS_MOST = 5 };
@@ -41,14 +37,6 @@ typedef struct pairs {
     float (*placed)[2][3];
 } pairs;
 
-static void *allocate(size_t count, size_t size)
-{
-    void *const memory = calloc(count, size);
-    if (!memory)
-        exit(message_failure("out of memory for %zu bytes", count * size));
-    return memory;
-}
-
 static size_t calls_of(size_t count) { return count * CALLS_MOST < PAIRS ? CALLS_MOST : PAIRS / count; }
 
 static void make_pairs(pairs *p)
@@ -56,8 +44,8 @@ static void make_pairs(pairs *p)
     size_t index;
     if (!scene_find("paper", &index) || !scene_make(index, 1, &p->at))
         exit(EXIT_CODE_FAILURE);
-    p->bounds = allocate(6 * PAIRS, sizeof(float));
-    p->placed = allocate(PAIRS, sizeof *p->placed);
+    p->bounds = asked_allocate(6 * PAIRS, sizeof(float));
+    p->placed = asked_allocate(PAIRS, sizeof *p->placed);
     for (size_t i = 0; i < PAIRS; i++)
         for (size_t a = 0; a < 3; a++) {
             const float center = p->at.work.triangles[PAIRS + i][0][a] / 2, half = 0.5f;
@@ -206,50 +194,47 @@ static size_t lanes_of(const char *kernel)
     return !strcmp(kernel, "avx512") ? 16 : !strcmp(kernel, "avx2") ? 8 : !strcmp(kernel, "scalar") ? 1 : 4;
 }
 
-/* taken: of contestant c about counts[n] at n * of_each + c. */
-static void print(const char *what, tribox_accuracy accuracy, const contestant *list, size_t of_each, const samples *taken)
+/* Times of contestant c about counts[n] are at n * of_each + c. */
+static void tell(asked *q, const contestant *list, size_t of_each, size_t n)
 {
-    printf("\n%s, %s: ns a call, (times the next count of full packets), times the paper's speed; all by least times\n", what,
-           accuracy_word(accuracy));
-    printf("%9s %9s", what, "paper");
-    for (size_t c = 1; c < of_each; c++)
-        printf("  %20s", list[c].options.kernel);
-    printf("\n");
-    for (size_t n = 0; n < COUNTS_SHOWN; n++) {
-        const double paper = measure_spread(taken, n * of_each).least;
-        printf("%9zu %9.1f", counts[n], paper);
-        for (size_t c = 1; c < of_each; c++) {
-            const size_t full = next_full(n, lanes_of(list[c].options.kernel));
-            const double least = measure_spread(taken, n * of_each + c).least;
-            printf("  %7.1f (%4.2f) %5.2f", least, least / measure_spread(taken, full * of_each + c).least, paper / least);
-        }
-        printf("\n");
+    const double paper = measure_spread(&q->taken, n * of_each).least;
+    char full[KERNELS_MOST + 1][24], times[KERNELS_MOST + 1][24];
+    printout_number(&q->out, "count", 0, (double)counts[n]);
+    printout_number(&q->out, "paper", 1, paper);
+    for (size_t c = 1; c < of_each; c++) {
+        const char *const kernel = list[c].options.kernel;
+        const double least = measure_spread(&q->taken, n * of_each + c).least;
+        snprintf(full[c], sizeof full[c], "%s_full", kernel);
+        snprintf(times[c], sizeof times[c], "%s_speed", kernel);
+        printout_number(&q->out, kernel, 1, least);
+        printout_number(&q->out, full[c], 2,
+                        least / measure_spread(&q->taken, next_full(n, lanes_of(kernel)) * of_each + c).least);
+        printout_number(&q->out, times[c], 2, paper / least);
     }
-    measure_warn_if_disturbed(stdout, taken);
-    fflush(stdout);
+    printout_row(&q->out);
 }
 
 /* Everyone about each count answers for himself; then all are timed together. */
-static bool run_shape(const char *what, const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy, effort how)
+static bool run_shape(asked *q, const char *what, const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy)
 {
-    static samples taken;
     contestant list[CONTESTANTS_MAX];
-    score scores[CONTESTANTS_MAX];
     size_t of_each = 0, words = 0;
     for (size_t n = 0; n < COUNTS; n++) {
-        const box_work *const asked = boxes ? &boxes[n] : NULL;
-        const size_t own_words = asked ? asked->words : triangles[n].words;
-        const truth from = asked ? (truth){find_truth_of_boxes, asked, own_words} : truth_of_work(&triangles[n]);
-        of_each = enter(what, &triangles[n], asked, accuracy, list + n * of_each);
+        const box_work *const about = boxes ? &boxes[n] : NULL;
+        const size_t own_words = about ? about->words : triangles[n].words;
+        const truth from = about ? (truth){find_truth_of_boxes, about, own_words} : truth_of_work(&triangles[n]);
+        of_each = enter(what, &triangles[n], about, accuracy, list + n * of_each);
         words = own_words > words ? own_words : words;
-        if (!entries_verify(list + n * of_each, of_each, what, &from, scores))
+        if (!asked_verify(q, what, list + n * of_each, of_each, &from))
             return false;
     }
-    uint64_t *const mask = allocate(words, sizeof *mask);
-    generator order = {1};
-    measure(list, COUNTS * of_each, how, &order, mask, &taken);
-    print(what, accuracy, list, of_each, &taken);
-    free(mask);
+    asked_measure(q, what, list, COUNTS * of_each, NULL, asked_effort(q, 31, 1e9, 5e-4), words);
+    printout_table(&q->out,
+                   "%s, %s: ns a call by kernel, times the next count of full packets, times the paper's speed; least times", what,
+                   accuracy_word(accuracy));
+    for (size_t n = 0; n < COUNTS_SHOWN; n++)
+        tell(q, list, of_each, n);
+    printout_disturbed(&q->out, &q->taken);
     return true;
 }
 
@@ -276,11 +261,11 @@ static bool run_mesh_voxelize(const contestant *self, uint64_t *mask, tribox_rep
     return true;
 }
 
-static void run_cells(const timing_work *triangles, effort how)
+static void run_cells(asked *q, const timing_work *triangles)
 {
     enum { SIZES = 3 };
     static const size_t at[SIZES] = {1, 4, 10}; /* of counts: 1, 8, 64 */
-    static samples taken;
+    static const char *const names[2 * SIZES] = {"soup_of_1", "of_8", "of_64", "mesh_of_1", "mesh_of_8", "mesh_of_64"};
     contestant list[CONTESTANTS_MAX];
     size_t count = 0;
     const char *kernel;
@@ -290,53 +275,24 @@ static void run_cells(const timing_work *triangles, effort how)
             list[count].pairs = (double)triangles[at[n % SIZES]].count;
             list[count++].run = n < SIZES ? run_voxelize : run_mesh_voxelize;
         }
-    uint64_t *const mask = allocate(triangles[1].words + 4 * 4, sizeof *mask);
-    generator order = {1};
-    measure(list, count, how, &order, mask, &taken);
-    printf("\ncells, exact: ns a call about 1, 8, 64 triangles, of tribox_voxelize and tribox_mesh_voxelize; by least times\n");
-    for (size_t c = 0; c < count; c++)
-        printf("%s%8.1f%s", c % (2 * SIZES) ? "" : list[c].options.kernel, measure_spread(&taken, c).least,
-               (c + 1) % (2 * SIZES) ? "" : "\n");
-    measure_warn_if_disturbed(stdout, &taken);
-    free(mask);
+    asked_measure(q, "cells", list, count, NULL, asked_effort(q, 31, 1e9, 5e-4), triangles[1].words + 4 * 4);
+    printout_table(&q->out, "cells, exact: ns a call about 1, 8 and 64 triangles, of tribox_voxelize and tribox_mesh_voxelize");
+    for (size_t c = 0; c < count; c += 2 * SIZES) {
+        printout_text(&q->out, "kernel", list[c].options.kernel);
+        for (size_t n = 0; n < 2 * SIZES; n++)
+            printout_number(&q->out, names[n], 1, measure_spread(&q->taken, c + n).least);
+        printout_row(&q->out);
+    }
+    printout_disturbed(&q->out, &q->taken);
 }
 
-static const char usage[] =
-    "Usage: calls [--rounds N]\n"
-    "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, and calls about few\n"
-    "triangles into a grid, on one thread.\n"
-    "  --rounds N   measure N rounds, 5 to 1000; without it 31\n";
-
-static const option_entry options[] = {{"rounds", 'r', true}, {NULL, 0, false}};
-
-static int take(void *request, int which, const char *value)
-{
-    effort *const how = request;
-    uint64_t rounds = 0;
-    if (which == OPTION_OPERAND)
-        return message_usage("unexpected '%s'", value);
-    if (whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &rounds))
-        return EXIT_CODE_USAGE;
-    how->rounds = (size_t)rounds;
-    return EXIT_CODE_OK;
-}
-
-int main(int argc, char **argv)
+static bool answer(asked *q)
 {
     static const char *const shapes[] = {"triangles", "boxes", "meshes"};
     static const tribox_accuracy accuracies[] = {TRIBOX_EXACT, TRIBOX_FAST};
     static timing_work triangles[COUNTS];
     static box_work boxes[COUNTS];
     static pairs p;
-    options_found found;
-    effort how = {.rounds = 31, .seconds = 1e9, .sample = 5e-4};
-    message_set_program("calls");
-    const int code = options_read(argc, argv, options, take, &how, &found);
-    if (code)
-        return code;
-    if (found.wants_help)
-        return fputs(usage, stdout) < 0;
-    header_text(stdout, "", &(run){argc, argv, 1, machine_here()});
     make_pairs(&p);
     for (size_t n = 0; n < COUNTS; n++) {
         make_triangles(&p, counts[n], &triangles[n]);
@@ -345,11 +301,17 @@ int main(int argc, char **argv)
     bool is_right = true;
     for (int shape = 0; shape < 3; shape++)
         for (int a = 0; a < 2; a++)
-            is_right = is_right && run_shape(shapes[shape], triangles, shape == 1 ? boxes : NULL, accuracies[a], how);
+            is_right = is_right && run_shape(q, shapes[shape], triangles, shape == 1 ? boxes : NULL, accuracies[a]);
     if (is_right)
-        run_cells(triangles, how);
+        run_cells(q, triangles);
     for (size_t n = 0; n < COUNTS; n++)
         timing_work_free(&triangles[n]);
     free_pairs(&p);
-    return is_right ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+    return is_right;
 }
+
+const bench_question question_calls = {.name = "calls",
+                                       .asks =
+                                           "What does a call about a few triangles, or a few boxes, cost, beside the paper's test?",
+                                       .options = 1u << OPTION_QUICK,
+                                       .answer = answer};

@@ -449,10 +449,10 @@ static bool answer(asked *q)
     return is_right;
 }
 
-const question question_grids = {.name = "grids",
-                                 .asks = "What do bits, cells, ids, lists, bricks and filling cost, in time and memory?",
-                                 .options = 1u << OPTION_CELLS | 1u << OPTION_TILE | 1u << OPTION_KERNEL | 1u << OPTION_FILTER |
-                                            1u << OPTION_QUICK,
-                                 .takes_meshes = true,
-                                 .needs_meshes = true,
-                                 .answer = answer};
+const bench_question question_grids = {.name = "grids",
+                                       .asks = "What do bits, cells, ids, lists, bricks and filling cost, in time and memory?",
+                                       .options = 1u << OPTION_CELLS | 1u << OPTION_TILE | 1u << OPTION_KERNEL |
+                                                  1u << OPTION_FILTER | 1u << OPTION_QUICK,
+                                       .takes_meshes = true,
+                                       .needs_meshes = true,
+                                       .answer = answer};

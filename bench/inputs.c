@@ -234,7 +234,8 @@ static bool answer(asked *q)
     return is_right;
 }
 
-const question question_inputs = {.name = "inputs",
-                                  .asks = "What do indexed meshes, and nine floats a triangle, cost compared with nine streams?",
-                                  .options = 1u << OPTION_KERNEL | 1u << OPTION_QUICK,
-                                  .answer = answer};
+const bench_question question_inputs = {.name = "inputs",
+                                        .asks =
+                                            "What do indexed meshes, and nine floats a triangle, cost compared with nine streams?",
+                                        .options = 1u << OPTION_KERNEL | 1u << OPTION_QUICK,
+                                        .answer = answer};

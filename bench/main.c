@@ -3,7 +3,8 @@
 
 int main(int argc, char **argv)
 {
-    static const question *const questions[] = {&question_ratios, &question_inputs, &question_sweep, &question_grids};
+    static const bench_question *const questions[] = {&question_ratios, &question_inputs, &question_sweep,
+                                                      &question_grids,  &question_calls,  &question_octree};
     static asked q;
     return asked_main(argc, argv, questions, sizeof questions / sizeof questions[0], &q);
 }

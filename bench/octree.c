@@ -7,19 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/header.h"
-#include "common/mesh_list.h"
-#include "common/whole.h"
-#include "console/option_reader.h"
 #include "paper/paper.h"
-#include "timing/measure.h"
+#include "questions.h"
+#include "read/mesh.h"
 #include "timing/weld.h"
-
-static const char usage[] = "Usage: octree [--rounds N] [--fast] MESH...\n"
-                            "Times octrees whose leaves have one size, on one thread.\n"
-                            "  MESH        a mesh file; $TRIBOX_MESHES may name a folder to look in\n"
-                            "  --rounds N  rounds, of which the least times count, 5 to 1000; without it 5\n"
-                            "  --fast      FAST; without it EXACT\n";
 
 enum { SIDE = 128, DEPTH_MAX = 9 };
 
@@ -191,13 +182,11 @@ static bool run_way(const contestant *self, uint64_t *room, tribox_report *repor
     return true;
 }
 
-static bool run_depth(octree *o, size_t rounds)
+static bool run_depth(asked *q, const char *name, octree *o)
 {
-    static samples taken;
     contestant list[WAYS];
     size_t leaves[WAYS];
     uint64_t sums[WAYS];
-    generator order = {1};
     for (int w = 0; w < WAYS; w++) {
         list[w] = (contestant){.run = run_way, .question = &ways[w], .pairs = 1};
         if (!run_way(&list[w], (uint64_t *)(void *)o, NULL))
@@ -207,14 +196,18 @@ static bool run_depth(octree *o, size_t rounds)
         if (w > EIGHT && o->options.accuracy == TRIBOX_EXACT && (leaves[w] != leaves[EIGHT] || sums[w] != sums[EIGHT]))
             return message_failure("%s makes other leaves; nothing is timed", ways[w].name) == EXIT_CODE_OK;
     }
-    measure(list, WAYS, (effort){.rounds = rounds, .seconds = 1e9}, &order, (uint64_t *)(void *)o, &taken);
-    printf("  depth %d, %zu leaves; by the paper's test %zu\n", o->depth, leaves[EIGHT], leaves[PAPER]);
-    for (int w = 0; w < WAYS; w++) {
-        const double least = measure_spread(&taken, (size_t)w).least;
-        printf("    %-20s %9.1f ms %6.2f times the paper's speed %6.2f that of eight calls\n", ways[w].name, 1e-6 * least,
-               measure_spread(&taken, PAPER).least / least, measure_spread(&taken, EIGHT).least / least);
+    measure(list, WAYS, asked_effort(q, 5, 1e9, 0), &q->order, (uint64_t *)(void *)o, &q->taken);
+    printout_table(&q->out, "%s, %zu triangles, depth %d: %zu leaves", name, o->mesh.count, o->depth, leaves[EIGHT]);
+    for (size_t w = 0; w < WAYS; w++) {
+        const double least = measure_spread(&q->taken, w).least;
+        printout_text(&q->out, "way", ways[w].name);
+        printout_number(&q->out, "ms", 1, 1e-6 * least);
+        printout_number(&q->out, "times_the_paper's_speed", 2, measure_spread(&q->taken, PAPER).least / least);
+        printout_number(&q->out, "times_eight_calls", 2, measure_spread(&q->taken, EIGHT).least / least);
+        printout_number(&q->out, "leaves", 0, (double)leaves[w]);
+        printout_row(&q->out);
     }
-    measure_warn_if_disturbed(stdout, &taken);
+    printout_disturbed(&q->out, &q->taken);
     return true;
 }
 
@@ -264,56 +257,33 @@ static void free_octree(octree *o)
     free(o->mask);
 }
 
-typedef struct settings {
-    uint64_t rounds;
-    tribox_options options;
-    mesh_list meshes;
-} settings;
-
-static bool run_mesh(const char *path, const settings *s)
+static bool ask_mesh(asked *q, const char *path)
 {
     mesh m;
     octree o;
     if (!mesh_list_read(path, &m))
         return false;
     bool is_run = make_octree(&m, &o) || message_failure("not enough memory") == EXIT_CODE_OK;
-    printf("\n%s, %zu triangles\n", path, m.soup.count);
-    o.options = s->options;
+    o.options = (tribox_options){.accuracy = asked_has(q, OPTION_FAST) ? TRIBOX_FAST : TRIBOX_EXACT, .kernel = q->kernel};
     for (o.depth = DEPTH_MAX - 2; is_run && o.depth <= DEPTH_MAX; o.depth += 2)
-        is_run = run_depth(&o, (size_t)s->rounds);
+        is_run = run_depth(q, mesh_list_name(path), &o);
     free_octree(&o);
     mesh_free(&m);
     return is_run;
 }
 
-enum { OPTION_ROUNDS, OPTION_FAST };
-static const option_entry options[] = {{"rounds", 0, true}, {"fast", 0, false}, {NULL, 0, false}};
-
-static int take_option(void *request, int which, const char *value)
+static bool answer(asked *q)
 {
-    settings *const s = request;
-    if (which == OPTION_FAST)
-        s->options.accuracy = TRIBOX_FAST;
-    return which == OPTION_ROUNDS ? whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &s->rounds)
-           : which == OPTION_FAST ? EXIT_CODE_OK
-                                  : mesh_list_take(&s->meshes, value);
+    bool is_right = true;
+    for (size_t k = 0; is_right && k < q->meshes.count; k++)
+        is_right = ask_mesh(q, q->meshes.path[k]);
+    return is_right;
 }
 
-int main(int argc, char **argv)
-{
-    options_found found;
-    settings s = {.rounds = 5};
-    message_set_program("octree");
-    const int code = options_read(argc, argv, options, take_option, &s, &found);
-    if (code)
-        return code;
-    if (found.wants_help)
-        return fputs(usage, stdout) < 0;
-    if (!s.meshes.count)
-        return message_usage("name a mesh file");
-    header_text(stdout, "", &(run){argc, argv, 1, machine_here()});
-    for (size_t n = 0; n < s.meshes.count; n++)
-        if (!run_mesh(s.meshes.path[n], &s))
-            return EXIT_CODE_FAILURE;
-    return EXIT_CODE_OK;
-}
+const bench_question question_octree = {
+    .name = "octree",
+    .asks = "What does an octree cost whose nodes hand lists of triangles down, by each way to test children, and by bricks?",
+    .options = 1u << OPTION_FAST | 1u << OPTION_KERNEL | 1u << OPTION_QUICK,
+    .takes_meshes = true,
+    .needs_meshes = true,
+    .answer = answer};

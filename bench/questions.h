@@ -4,6 +4,6 @@
 
 #include "common/asked.h"
 
-extern const question question_ratios, question_inputs, question_sweep, question_grids;
+extern const bench_question question_ratios, question_inputs, question_sweep, question_grids, question_calls, question_octree;
 
 #endif

@@ -5,6 +5,7 @@
 #include "common/entries.h"
 #include "common/soups.h"
 #include "questions.h"
+#include "read/indexed_mesh.h"
 
 /* Those that the filter keeps, the baseline first. */
 static size_t keep_named(contestant *list, size_t count, const char *part)
@@ -118,8 +119,8 @@ static bool answer(asked *q)
     return is_right;
 }
 
-const question question_ratios = {.name = "ratios",
-                                  .asks = "How many times as fast as the paper's test is each kernel, at each accuracy?",
-                                  .options = 1u << OPTION_SCENE | 1u << OPTION_FILTER | 1u << OPTION_QUICK,
-                                  .takes_meshes = true,
-                                  .answer = answer};
+const bench_question question_ratios = {.name = "ratios",
+                                        .asks = "How many times as fast as the paper's test is each kernel, at each accuracy?",
+                                        .options = 1u << OPTION_SCENE | 1u << OPTION_FILTER | 1u << OPTION_QUICK,
+                                        .takes_meshes = true,
+                                        .answer = answer};

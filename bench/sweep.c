@@ -13,6 +13,7 @@
 #include "console/accuracy.h"
 #include "paper/paper.h"
 #include "questions.h"
+#include "read/mesh.h"
 #include "sweep/order_why.h"
 #include "sweep/sweep_work.h"
 
@@ -219,9 +220,10 @@ static bool answer(asked *q)
     return is_right;
 }
 
-const question question_sweep = {.name = "sweep",
-                                 .asks = "What does each accuracy, choice and order of the axes cost, and how often does it err?",
-                                 .options = 1u << OPTION_QUICK | 1u << OPTION_KERNEL | 1u << OPTION_SCENE | 1u << OPTION_NO_SCENES |
-                                            1u << OPTION_SIZE | 1u << OPTION_OCTREE | 1u << OPTION_GRID,
-                                 .takes_meshes = true,
-                                 .answer = answer};
+const bench_question question_sweep = {
+    .name = "sweep",
+    .asks = "What does each accuracy, choice and order of the axes cost, and how often does it err?",
+    .options = 1u << OPTION_QUICK | 1u << OPTION_KERNEL | 1u << OPTION_SCENE | 1u << OPTION_NO_SCENES | 1u << OPTION_SIZE |
+               1u << OPTION_OCTREE | 1u << OPTION_GRID,
+    .takes_meshes = true,
+    .answer = answer};

@@ -70,7 +70,7 @@ static int cells_read(const char *value, asked *q)
 /* What the line is read into. */
 typedef struct reading {
     asked *q;
-    const question *of;
+    const bench_question *of;
 } reading;
 
 static int take(void *into, int which, const char *value)
@@ -96,7 +96,7 @@ static int take(void *into, int which, const char *value)
     return table[which].most ? whole_read(value, (asked_option)which, &q->number[which]) : EXIT_CODE_OK;
 }
 
-static void print_option(const question *of, asked_option o)
+static void print_option(const bench_question *of, asked_option o)
 {
     char option[32];
     if (!((FOR_ALL | of->options) >> o & 1))
@@ -105,7 +105,7 @@ static void print_option(const question *of, asked_option o)
     printf("  %-16s %s\n", option, table[o].what);
 }
 
-static int print_help(const char *program, const question *of)
+static int print_help(const char *program, const bench_question *of)
 {
     printf("Usage: %s %s [OPTION...]%s\n%s\n", program, of->name,
            of->needs_meshes   ? " MESH..."
@@ -119,7 +119,7 @@ static int print_help(const char *program, const question *of)
     return ferror(stdout) != 0;
 }
 
-static int print_questions(const char *program, const question *const *questions, size_t count)
+static int print_questions(const char *program, const bench_question *const *questions, size_t count)
 {
     printf("Usage: %s QUESTION [OPTION...] [MESH...]\n'%s QUESTION --help' says more.\n", program, program);
     for (size_t k = 0; k < count; k++)
@@ -127,7 +127,7 @@ static int print_questions(const char *program, const question *const *questions
     return ferror(stdout) != 0;
 }
 
-static int answer(int argc, char **argv, const question *of, asked *q)
+static int answer(int argc, char **argv, const bench_question *of, asked *q)
 {
     const char *const csv = q->text[OPTION_CSV];
     q->out.is_json = asked_has(q, OPTION_JSON);
@@ -143,7 +143,7 @@ static int answer(int argc, char **argv, const question *of, asked *q)
     return is_right ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
 }
 
-static const question *named(const question *const *questions, size_t count, const char *name)
+static const bench_question *named(const bench_question *const *questions, size_t count, const char *name)
 {
     for (size_t k = 0; name && k < count; k++)
         if (!strcmp(name, questions[k]->name))
@@ -151,11 +151,11 @@ static const question *named(const question *const *questions, size_t count, con
     return NULL;
 }
 
-int asked_main(int argc, char **argv, const question *const *questions, size_t count, asked *q)
+int asked_main(int argc, char **argv, const bench_question *const *questions, size_t count, asked *q)
 {
     const char *const slash = strrchr(argv[0], '/'), *const program = slash ? slash + 1 : argv[0];
     const int skipped = count > 1;
-    const question *const of = skipped ? named(questions, count, argc > 1 ? argv[1] : NULL) : questions[0];
+    const bench_question *const of = skipped ? named(questions, count, argc > 1 ? argv[1] : NULL) : questions[0];
     option_entry options[OPTIONS + 1] = {{NULL, 0, false}};
     options_found found;
     message_set_program(program);

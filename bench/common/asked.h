@@ -51,17 +51,17 @@ typedef struct asked {
     score scores[CONTESTANTS_MAX];
 } asked;
 
-typedef struct question {
+typedef struct bench_question {
     const char *name;
     const char *asks;         /* a line for --help */
     unsigned options;         /* bits of asked_option; those of all questions are not named */
     bool takes_meshes;        /* files on the command line */
     bool needs_meshes;        /* asks nothing without one */
     bool (*answer)(asked *q); /* false after a line on standard error */
-} question;
+} bench_question;
 
 /* A main program: the question's name comes first, if there are several. Returns an exit_code. */
-int asked_main(int argc, char **argv, const question *const *questions, size_t count, asked *q);
+int asked_main(int argc, char **argv, const bench_question *const *questions, size_t count, asked *q);
 
 static inline bool asked_has(const asked *q, asked_option option) { return q->given >> option & 1; }
 

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "read/indexed_mesh.h"
+#include "read/mesh.h"
 #include "read/mesh_kind.h"
 #include "read/readers.h"
 

@@ -2,9 +2,9 @@
 #ifndef MESH_LIST_H
 #define MESH_LIST_H
 
+#include <stdbool.h>
+
 #include "console/message.h"
-#include "read/indexed_mesh.h"
-#include "read/mesh.h"
 
 enum { MESH_LIST_MAX = 64 };
 typedef struct mesh_list {
@@ -23,10 +23,13 @@ static inline int mesh_list_take(mesh_list *list, const char *path)
 /* The name without its folder. */
 const char *mesh_list_name(const char *path);
 
+struct mesh;
+struct indexed_mesh;
+
 /* False after a line on standard error. */
-bool mesh_list_read(const char *path, mesh *m);
+bool mesh_list_read(const char *path, struct mesh *m);
 
 /* The same with its vertices and indices, of floats: PLY, OFF and OBJ. indexed_mesh_free follows in any case. */
-bool mesh_list_read_indexed(const char *path, indexed_mesh *m);
+bool mesh_list_read_indexed(const char *path, struct indexed_mesh *m);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "common/mesh_list.h"
 #include "paper/random.h"
+#include "read/mesh.h"
 
 static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
 enum { USUAL = sizeof usual / sizeof usual[0], WITH_GOALS = 3 };

@@ -8,6 +8,7 @@
 
 #include "common/mesh_list.h"
 #include "paper/random.h"
+#include "read/mesh.h"
 
 /* Room for the streams and the triangles; count 0 in `made` if there is none. */
 static bool make_room(voxel_scene *made, size_t count)
