@@ -4,6 +4,7 @@
 
 #include "common/asked.h"
 
-extern const bench_question question_ratios, question_inputs, question_sweep, question_grids, question_calls, question_octree;
+extern const bench_question question_ratios, question_inputs, question_sweep, question_grids, question_calls, question_octree,
+    question_doubles, question_cgal;
 
 #endif

@@ -210,13 +210,11 @@ void printout_note(printout *r, const char *text, ...)
 
 void printout_goal(printout *r, const char *what, bool is_most, double goal, double reached)
 {
-    char padded[64];
-    snprintf(padded, sizeof padded, "%-62s", what);
-    printout_text(r, "what", padded);
+    printout_text(r, "is", (is_most ? reached <= goal : reached >= goal) ? "reached" : "NOT reached");
     printout_text(r, "bound", is_most ? "at most" : "at least");
     printout_number(r, "goal", 2, goal);
     printout_number(r, "here", 2, reached);
-    printout_text(r, "is", (is_most ? reached <= goal : reached >= goal) ? "reached" : "NOT reached");
+    printout_text(r, "what", what);
     printout_row(r);
 }
 

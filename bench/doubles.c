@@ -1,0 +1,237 @@
+/*
+ * doubles.c - what do meshes of doubles cost, against the same triangles as floats, against reading their bytes, and against
+ * CGAL?
+ *
+ * Nine numbers a triangle, and indices of 32 bits into half as many vertices as triangles. All of a scene are timed in the same
+ * rounds; figures are of the least times. The stages that settle what floats leave open are timed on triangles that reach them.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "cgal_peer.h"
+#include "common/loads.h"
+#include "double_scenes.h"
+#include "questions.h"
+
+enum { PEER_TRIANGLES = 16384 };
+
+/* What a contestant answers: a form of the scene. */
+typedef struct form {
+    const double_scene *at;
+    const tribox_mesh *mesh;
+    const cgal_peer *peer;
+} form;
+
+static const form *question_of(const contestant *self) { return self->question; }
+
+static bool run_floats(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const form *const q = question_of(self);
+    return !tribox_mesh_overlap(q->mesh, &q->at->single_box, &self->options, mask, report);
+}
+
+static bool run_doubles(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const form *const q = question_of(self);
+    return !tribox_mesh_overlap(q->mesh, &q->at->box, &self->options, mask, report);
+}
+
+static bool run_reading(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const tribox_mesh *const mesh = question_of(self)->mesh;
+    (void)report;
+    mask[0] = loads_words(mesh->positions, 6 * mesh->vertices);
+    if (mesh->indices)
+        mask[0] ^= loads_words(mesh->indices, 3 * mesh->count);
+    return true;
+}
+
+static bool run_peer(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    (void)report;
+    cgal_peer_answer(question_of(self)->peer, mask);
+    return true;
+}
+
+static bool find_truth(const void *question, unsigned axes, uint64_t *mask)
+{
+    const form *const q = question;
+    return !tribox_mesh_overlap(q->mesh, &q->at->box, &(tribox_options){.axes = axes, .kernel = "scalar"}, mask, NULL);
+}
+
+/* Whom each is held against. */
+enum { FLOAT_NINE, FLOAT_INDEXED, DOUBLE_NINE, DOUBLE_INDEXED, READ_NINE, READ_INDEXED, PEER, ENTRIES };
+
+static size_t enter(const double_scene *at, const cgal_peer *peer, const char *kernel, form questions[ENTRIES], contestant *list)
+{
+    const struct {
+        const char *name;
+        bool (*run)(const contestant *, uint64_t *, tribox_report *);
+        const tribox_mesh *mesh;
+        answer_promise promise;
+    } all[ENTRIES] = {
+        [FLOAT_NINE] = {"nine floats", run_floats, &at->single_nine, PROMISE_NOTHING},
+        [FLOAT_INDEXED] = {"indexed floats", run_floats, &at->single_indexed, PROMISE_NOTHING},
+        [DOUBLE_NINE] = {"nine doubles", run_doubles, &at->nine, PROMISE_EXACT},
+        [DOUBLE_INDEXED] = {"indexed doubles", run_doubles, &at->indexed, PROMISE_EXACT},
+        [READ_NINE] = {"reading nine doubles", run_reading, &at->nine, PROMISE_NOTHING},
+        [READ_INDEXED] = {"reading indexed doubles", run_reading, &at->indexed, PROMISE_NOTHING},
+        [PEER] = {"CGAL's Epick", run_peer, &at->nine, PROMISE_NOTHING},
+    };
+    const size_t count = peer ? ENTRIES : PEER, asked_of_peer = at->count < PEER_TRIANGLES ? at->count : PEER_TRIANGLES;
+    for (size_t k = 0; k < count; k++) {
+        questions[k] = (form){at, all[k].mesh, peer};
+        list[k] = (contestant){.run = all[k].run,
+                               .question = &questions[k],
+                               .options = {.kernel = kernel},
+                               .promise = all[k].promise,
+                               .pairs = (double)(k == PEER ? asked_of_peer : at->count)};
+        snprintf(list[k].name, sizeof list[k].name, "%s", all[k].name);
+    }
+    return count;
+}
+
+/* Whether CGAL says the same of every triangle that is not degenerate. */
+static bool is_peer_of_one_mind(const double_scene *at, const cgal_peer *peer)
+{
+    const size_t count = at->count < PEER_TRIANGLES ? at->count : PEER_TRIANGLES;
+    uint64_t *const exact = asked_allocate(tribox_mask_words(at->count), sizeof *exact), *const other = asked_allocate(
+                                                                                             tribox_mask_words(count),
+                                                                                             sizeof *other);
+    size_t unlike = 0;
+    find_truth(&(form){at, &at->nine, NULL}, TRIBOX_AXES_ALL, exact);
+    cgal_peer_answer(peer, other);
+    for (size_t i = 0; i < count; i++)
+        unlike += ((exact[i / 64] ^ other[i / 64]) >> i % 64 & 1) && !cgal_peer_is_degenerate(peer, i);
+    if (unlike)
+        message_failure("%s: CGAL's answer differs on %zu triangles that are not degenerate", at->name, unlike);
+    free(exact);
+    free(other);
+    return !unlike;
+}
+
+/* What the goals are about: least times, by scene and contestant. */
+typedef struct figures {
+    double ns[DOUBLE_SCENES][ENTRIES];
+    double stage[STAGE_SCENES];
+} figures;
+
+static void tell_scene(asked *q, const double_scene *at, const contestant *list, size_t count, double ns[ENTRIES])
+{
+    printout_table(&q->out, "%s: %zu triangles, %s; %.3f %% left to slower stages", at->name, at->count, at->what,
+                   100 * (double)q->scores[DOUBLE_NINE].undecided / (double)at->count);
+    for (size_t k = 0; k < count; k++) {
+        const bool is_double = k == DOUBLE_NINE || k == DOUBLE_INDEXED;
+        ns[k] = measure_spread(&q->taken, k).least;
+        printout_text(&q->out, "triangles", list[k].name);
+        printout_text_data(&q->out, "scene", at->name);
+        printout_times(&q->out, &q->taken, k);
+        printout_number(&q->out, "times_floats", 3, is_double ? ns[k] / ns[k - DOUBLE_NINE + FLOAT_NINE] : (double)NAN);
+        printout_number(&q->out, "times_reading", 3,
+                        is_double ? ns[k] / measure_spread(&q->taken, k - DOUBLE_NINE + READ_NINE).least : (double)NAN);
+        printout_number(&q->out, "times_nine_doubles", 1, k == PEER ? ns[k] / ns[DOUBLE_NINE] : (double)NAN);
+        printout_row(&q->out);
+    }
+    printout_disturbed(&q->out, &q->taken);
+}
+
+static bool run_scene(asked *q, size_t number, double ns[ENTRIES])
+{
+    double_scene at;
+    form questions[ENTRIES];
+    contestant list[CONTESTANTS_MAX];
+    double_scene_make(number, &at);
+    cgal_peer *const peer =
+        cgal_peer_make(CGAL_EPICK_BBOX, at.nine.positions, at.count < PEER_TRIANGLES ? at.count : PEER_TRIANGLES, &at.box);
+    const size_t count = enter(&at, peer, q->kernel, questions, list);
+    const truth from = {find_truth, &questions[DOUBLE_NINE], tribox_mask_words(at.count)};
+    const bool is_right = (!peer || is_peer_of_one_mind(&at, peer)) &&
+                          asked_measure(q, at.name, list, count, &from, asked_effort(q, 51, 8, 1e-3), from.words);
+    if (is_right)
+        tell_scene(q, &at, list, count, ns);
+    cgal_peer_free(peer);
+    double_scene_free(&at);
+    return is_right;
+}
+
+/*
+ * What each triangle that the first stage leaves takes beyond those that it decides: the box normals of ordinary triangles, of the
+ * first scene of these.
+ */
+static void run_stage(asked *q, stage_scene which, double *ns)
+{
+    double_scene at[2];
+    form question[2];
+    contestant list[2];
+    tribox_report report = {0, 0};
+    stage_scene_make(STAGE_NONE, &at[0]);
+    stage_scene_make(which, &at[1]);
+    for (int k = 0; k < 2; k++) {
+        question[k] = (form){&at[k], &at[k].nine, NULL};
+        list[k] = (contestant){.name = "stage",
+                               .run = run_doubles,
+                               .question = &question[k],
+                               .options = {.axes = k ? TRIBOX_AXES_ALL : TRIBOX_AXES_BOX, .kernel = q->kernel},
+                               .pairs = (double)at[k].count};
+    }
+    const size_t words = tribox_mask_words(at[1].count);
+    uint64_t *const mask = asked_allocate(words, sizeof *mask);
+    if (!list[1].run(&list[1], mask, &report))
+        exit(message_failure("the library refuses a scene"));
+    asked_measure(q, "stage", list, 2, NULL, asked_effort(q, 51, 8, 1e-3), words);
+    const double more = measure_spread(&q->taken, 1).least - measure_spread(&q->taken, 0).least;
+    *ns = report.undecided ? more * (double)at[1].count / (double)report.undecided : 0;
+    printout_text(&q->out, "settled", stage_names[which]);
+    printout_number(&q->out, "triangles", 0, (double)report.undecided);
+    printout_number(&q->out, "ns_a_triangle", 1, *ns);
+    printout_row(&q->out);
+    free(mask);
+    double_scene_free(&at[0]);
+    double_scene_free(&at[1]);
+}
+
+static void tell_goals(asked *q, const figures *f)
+{
+    enum { CACHE, WHOLE, OFFSET, MEMORY = 6 };
+    const double *const cache = f->ns[CACHE], *const whole = f->ns[WHOLE], *const offset = f->ns[OFFSET],
+                        *const memory = f->ns[MEMORY];
+    const struct {
+        const char *what;
+        double most, here;
+    } goals[] = {
+        {"nine doubles, times nine floats, in the first caches", 1.6, cache[DOUBLE_NINE] / cache[FLOAT_NINE]},
+        {"nine doubles, times nine floats, in the last cache", 1.6, whole[DOUBLE_NINE] / whole[FLOAT_NINE]},
+        {"indexed doubles, times indexed floats, in the first caches", 1.6, cache[DOUBLE_INDEXED] / cache[FLOAT_INDEXED]},
+        {"indexed doubles, times indexed floats, in the last cache", 1.6, whole[DOUBLE_INDEXED] / whole[FLOAT_INDEXED]},
+        {"nine doubles far from the origin, times those near", 1.05, offset[DOUBLE_NINE] / whole[DOUBLE_NINE]},
+        {"ns to settle a triangle in double", 40, f->stage[STAGE_DOUBLE]},
+        {"ns to settle a triangle in integers", 500, f->stage[STAGE_SHORT]},
+        {"nine doubles, times reading them, beyond the caches", 1.15, memory[DOUBLE_NINE] / memory[READ_NINE]},
+        {"indexed doubles, times reading them, beyond the caches", 1.15, memory[DOUBLE_INDEXED] / memory[READ_INDEXED]},
+    };
+    printout_table(&q->out, "goals");
+    for (size_t k = 0; k < sizeof goals / sizeof goals[0]; k++)
+        if (goals[k].here > 0)
+            printout_goal(&q->out, goals[k].what, true, goals[k].most, goals[k].here);
+    if (whole[PEER] > 0)
+        printout_goal(&q->out, "times the speed of CGAL's Epick", false, 50, whole[PEER] / whole[DOUBLE_NINE]);
+}
+
+static bool answer(asked *q)
+{
+    static figures f;
+    for (size_t k = 0; k < DOUBLE_SCENES; k++)
+        if (!(asked_has(q, OPTION_QUICK) && double_scene_is_large(k)) && !run_scene(q, k, f.ns[k]))
+            return false;
+    printout_table(&q->out, "what a triangle costs that the first stage leaves undecided");
+    for (stage_scene which = STAGE_DOUBLE; which < STAGE_SCENES; which++)
+        run_stage(q, which, &f.stage[which]);
+    tell_goals(q, &f);
+    return true;
+}
+
+const bench_question question_doubles = {
+    .name = "doubles",
+    .asks = "What do meshes of doubles cost compared with floats, with reading their bytes, and with CGAL?",
+    .options = 1u << OPTION_KERNEL | 1u << OPTION_QUICK,
+    .answer = answer};
