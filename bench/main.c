@@ -3,8 +3,9 @@
 
 int main(int argc, char **argv)
 {
-    static const bench_question *const questions[] = {&question_ratios, &question_inputs, &question_sweep,   &question_grids,
-                                                      &question_calls,  &question_octree, &question_doubles, &question_cgal};
+    static const bench_question *const questions[] = {&question_ratios,  &question_inputs, &question_sweep,
+                                                      &question_grids,   &question_calls,  &question_octree,
+                                                      &question_doubles, &question_cgal,   &question_voxels};
     static asked q;
     return asked_main(argc, argv, questions, sizeof questions / sizeof questions[0], &q);
 }

@@ -139,7 +139,7 @@ static void print_text(const printout *r, bool is_head)
             *at = (char)(*at == '_' ? ' ' : *at);
         if (!is_head && !c->text && !isnan(c->number))
             snprintf(text, sizeof text, "%.*f", c->decimals, c->number);
-        const int width = width_of(c, is_first);
+        const int width = k + 1 < r->columns || !c->text ? width_of(c, is_first) : 0;
         printf("%s%*s", is_first ? "" : "  ", c->text ? -width : width, text);
         is_first = false;
     }

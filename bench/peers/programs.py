@@ -11,13 +11,14 @@ import tempfile
 
 def voxels(build, path, cells):
     """Voxelizers in float."""
-    command = [os.path.join(build, "bench", "voxels"), "--no-scenes", "--json", "--limit", "1", "--rounds", "5",
-               "--resolution", ",".join(map(str, cells)), path]
-    for result, n in zip(json.loads(subprocess.check_output(command))["results"], cells):
-        taken = result["contestants"]
-        ours, theirs = (taken[name]["ns_triangle"] * result["triangles"] / 1e9 for name in ("exact", "Schwarz-Seidel"))
+    command = [os.path.join(build, "bench", "tribox-bench"), "voxels", "--no-scenes", "--json", "--limit", "1", "--rounds", "5",
+               "--cells", ",".join(map(str, cells)), path]
+    for table, n in zip(json.loads(subprocess.check_output(command))["tables"], cells):
+        rows = {row["contestant"]: row for row in table["rows"]}
+        ours, theirs = (rows[name]["ns_a_triangle"] * rows[name]["triangles"] / 1e9 for name in ("exact", "Schwarz-Seidel"))
         yield {"peer": "Schwarz and Seidel 2010, in float", "question": "surface", "cells": n, "way": "bench/voxels",
-               "ours": [ours] * 2, "theirs": [theirs] * 2, "of": result["set"], "unlike": result["unlike"]}
+               "ours": [ours] * 2, "theirs": [theirs] * 2, "of": rows["exact"]["set"],
+               "unlike": rows["Schwarz-Seidel"]["cells_unlike"] or 0}
 
 
 def trees(build, path, _):
@@ -40,4 +41,4 @@ def trees(build, path, _):
 
 
 SETUP = "meson setup DIR -Dbuildtype=release -Dtests=enabled -Dpeers=enabled; meson compile -C DIR; then --build DIR"
-PROGRAMS = {os.path.join("bench", "voxels"): voxels, os.path.join("tests", "peers", "peers"): trees}
+PROGRAMS = {os.path.join("bench", "tribox-bench"): voxels, os.path.join("tests", "peers", "peers"): trees}

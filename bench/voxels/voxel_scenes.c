@@ -2,38 +2,24 @@
 #include "voxel_scenes.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "common/mesh_list.h"
 #include "paper/random.h"
 #include "read/mesh.h"
 
-/* Room for the streams and the triangles; count 0 in `made` if there is none. */
-static bool make_room(voxel_scene *made, size_t count)
+const char *const voxel_scene_names[VOXEL_SCENES] = {"torus", "small", "huge"};
+
+static bool make_room(timing_work *made, size_t count)
 {
-    float *const storage = malloc(18 * count * sizeof *storage);
-    made->storage = storage;
-    made->soup.count = storage ? count : 0;
-    made->triangles = (float(*)[3][3])(storage + 9 * count);
-    for (int v = 0; storage && v < 3; v++) {
-        made->soup.x[v] = storage + (size_t)(3 * v) * count;
-        made->soup.y[v] = storage + (size_t)(3 * v + 1) * count;
-        made->soup.z[v] = storage + (size_t)(3 * v + 2) * count;
-    }
-    if (!storage)
-        fprintf(stderr, "voxels: out of memory for %zu triangles\n", count);
-    return storage;
+    return timing_work_make(made, 1, timing_work_room(count)) ||
+           message_failure("out of memory for %zu triangles", count) == EXIT_CODE_OK;
 }
 
-static void fill_streams(voxel_scene *made)
+static bool complete(timing_work *made, size_t count)
 {
-    float *const streams = made->storage;
-    for (size_t i = 0; i < made->soup.count; i++)
-        for (int v = 0; v < 3; v++)
-            for (int a = 0; a < 3; a++)
-                streams[(size_t)(3 * v + a) * made->soup.count + i] = made->triangles[i][v][a];
+    const timing_job job = timing_work_soup(made, count);
+    timing_work_add(made, &job, &(tribox_box){{0, 0, 0}, {1, 1, 1}});
+    return true;
 }
 
 static void torus_vertex(float u[3], int along, int around, int longs, int arounds)
@@ -44,7 +30,7 @@ static void torus_vertex(float u[3], int along, int around, int longs, int aroun
     u[2] = (float)(0.4 * sin(t));
 }
 
-static bool make_torus(voxel_scene *made)
+static bool make_torus(timing_work *made)
 {
     const int longs = 500, arounds = 200;
     if (!make_room(made, (size_t)(2 * longs * arounds)))
@@ -57,10 +43,10 @@ static bool make_torus(voxel_scene *made)
                 torus_vertex(made->triangles[at][1], s + 1, t, longs, arounds);
                 torus_vertex(made->triangles[at][2], s + half, t + 1, longs, arounds);
             }
-    return true;
+    return complete(made, at);
 }
 
-static bool make_random(voxel_scene *made, size_t count, float reach, uint64_t seed)
+static bool make_random(timing_work *made, size_t count, float reach, uint64_t seed)
 {
     generator g = {seed};
     if (!make_room(made, count))
@@ -71,30 +57,24 @@ static bool make_random(voxel_scene *made, size_t count, float reach, uint64_t s
             for (int v = 0; v < 3; v++)
                 made->triangles[i][v][a] = random_between(&g, lo, lo + reach);
         }
-    return true;
+    return complete(made, count);
 }
 
-bool voxel_scene_make(int which, uint64_t seed, voxel_scene *made)
+bool voxel_scene_make(size_t which, uint64_t seed, timing_work *made)
 {
-    static const char *const names[VOXEL_SCENES] = {"torus", "small", "huge"};
-    snprintf(made->name, sizeof made->name, "%s", names[which]);
-    const bool is_made = which == 0   ? make_torus(made)
-                         : which == 1 ? make_random(made, 200000, 0.01f, seed)
-                                      : make_random(made, 12, 1, seed);
-    if (is_made)
-        fill_streams(made);
-    return is_made;
+    return which == 0 ? make_torus(made) : which == 1 ? make_random(made, 200000, 0.01f, seed) : make_random(made, 12, 1, seed);
 }
 
-bool voxel_scene_read(const char *path, voxel_scene *made)
+bool voxel_scene_read(const char *path, timing_work *made)
 {
     mesh m;
+    size_t count = 0;
+    *made = (timing_work){.count = 0};
     if (!mesh_list_read(path, &m))
         return false;
-    snprintf(made->name, sizeof made->name, "%s", mesh_list_name(path));
-    const bool is_made = make_room(made, m.soup.count - m.not_finite);
-    for (size_t i = 0, to = 0; is_made && i < m.soup.count; i++) {
-        float u[3][3], sum = 0;
+    const bool is_made = make_room(made, m.soup.count);
+    for (size_t i = 0; is_made && i < m.soup.count; i++) {
+        float(*const u)[3] = made->triangles[count], sum = 0;
         for (int v = 0; v < 3; v++) {
             u[v][0] = m.soup.x[v][i];
             u[v][1] = m.soup.y[v][i];
@@ -102,26 +82,21 @@ bool voxel_scene_read(const char *path, voxel_scene *made)
             for (int a = 0; a < 3; a++)
                 sum += u[v][a] - u[v][a];
         }
-        if (sum == 0) /* finite: the rivals know nothing else */
-            memcpy(made->triangles[to++], u, sizeof u);
+        count += sum == 0; /* finite: the rivals know nothing else */
     }
-    if (is_made)
-        fill_streams(made);
     mesh_free(&m);
-    return is_made;
+    return is_made && complete(made, count);
 }
 
-void voxel_scene_free(voxel_scene *made) { free(made->storage); }
-
-tribox_grid voxel_scene_grid(const voxel_scene *scene, uint32_t resolution)
+tribox_grid voxel_scene_grid(const timing_job *at, uint32_t resolution)
 {
     float lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY}, longest = 0;
     tribox_grid grid;
-    for (size_t i = 0; i < scene->soup.count; i++)
+    for (size_t i = 0; i < at->soup.count; i++)
         for (int v = 0; v < 3; v++)
             for (int a = 0; a < 3; a++) {
-                lo[a] = fminf(lo[a], scene->triangles[i][v][a]);
-                hi[a] = fmaxf(hi[a], scene->triangles[i][v][a]);
+                lo[a] = fminf(lo[a], at->triangles[i][v][a]);
+                hi[a] = fmaxf(hi[a], at->triangles[i][v][a]);
             }
     for (int a = 0; a < 3; a++)
         longest = fmaxf(longest, hi[a] - lo[a]);

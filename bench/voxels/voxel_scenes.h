@@ -2,28 +2,18 @@
 #ifndef BENCH_VOXEL_SCENES_H
 #define BENCH_VOXEL_SCENES_H
 
-#include <stdbool.h>
-
-#include "tribox.h"
-
-typedef struct voxel_scene {
-    char name[64];
-    tribox_soup soup;
-    float (*triangles)[3][3]; /* the same, one after the other */
-    void *storage;
-} voxel_scene;
+#include "timing/work.h"
 
 enum { VOXEL_SCENES = 3 };
 
 /* torus: 200,000 triangles of a surface; small: as many anywhere, a hundredth of the whole long; huge: twelve across the whole. */
-bool voxel_scene_make(int which, uint64_t seed, voxel_scene *made);
+extern const char *const voxel_scene_names[VOXEL_SCENES];
 
-/* A mesh file; false, with a message on stderr, if it cannot be read. */
-bool voxel_scene_read(const char *path, voxel_scene *made);
-
-void voxel_scene_free(voxel_scene *made);
+/* One job, whose box means nothing. False, with a message, if memory fails or a file cannot be read; timing_work_free follows. */
+bool voxel_scene_make(size_t which, uint64_t seed, timing_work *made);
+bool voxel_scene_read(const char *path, timing_work *made);
 
 /* The grid of `resolution` cubes along the longest side of the soup's box. */
-tribox_grid voxel_scene_grid(const voxel_scene *scene, uint32_t resolution);
+tribox_grid voxel_scene_grid(const timing_job *at, uint32_t resolution);
 
 #endif
