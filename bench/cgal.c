@@ -1,6 +1,7 @@
 /*
- * cgal.c - the peer that is exact too: CGAL, on the same pairs. Answers have to be equal for all triangles that are not degenerate,
- * which CGAL asks for; then the speeds are compared, interleaved in one process. Triangles and boxes are made before the clock runs.
+ * cgal.c - the peer that is exact too: CGAL, on the same pairs. Answers have to be equal for all triangles but degenerate ones,
+ * which CGAL does not take; then the speeds are compared, interleaved in one process. Its triangles and boxes are made before the
+ * clock runs.
  */
 #include <math.h>
 #include <stdlib.h>

@@ -5,6 +5,6 @@
 #include "common/asked.h"
 
 extern const bench_question question_ratios, question_inputs, question_sweep, question_grids, question_calls, question_octree,
-    question_doubles, question_cgal, question_voxels;
+    question_doubles, question_cgal, question_voxels, question_index;
 
 #endif

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "console/message.h"
 #include "loads.h"
 #include "paper/paper.h"
 #include "unbranched.h"
@@ -68,8 +67,6 @@ size_t entries_make(const timing_work *work, contestant *list)
     return count + contestants_enter(work, &list[count]);
 }
 
-bool entry_is_baseline(const contestant *one) { return !strcmp(one->name, "baseline"); }
-
 size_t entry_fast_of(const contestant *list, size_t count, size_t c)
 {
     const tribox_options *const own = &list[c].options;
@@ -79,13 +76,4 @@ size_t entry_fast_of(const contestant *list, size_t count, size_t c)
             return f;
     }
     return c;
-}
-
-bool entries_verify(const contestant *list, size_t count, const char *scene, const truth *from, score *scores)
-{
-    char wrong[VERIFY_TEXT];
-    const bool is_right = verify(list, count, from, scores, wrong);
-    if (!is_right)
-        message_say("scene %s: %s; nothing is timed", scene, wrong);
-    return is_right;
 }

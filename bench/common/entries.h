@@ -5,8 +5,7 @@
 #ifndef BENCH_ENTRIES_H
 #define BENCH_ENTRIES_H
 
-#include "timing/measure.h"
-#include "timing/verify.h"
+#include "timing/contestant.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -15,14 +14,8 @@ extern "C" {
 /* The paper's test is called "baseline" and is the first. Returns how many there are. */
 size_t entries_make(const timing_work *work, contestant *list);
 
-/* Whether this is the paper's test. */
-bool entry_is_baseline(const contestant *one);
-
 /* The index of FAST of the same kernel and axes; that of the contestant itself if there is none. */
 size_t entry_fast_of(const contestant *list, size_t count, size_t c);
-
-/* Verifies; says on stderr who is wrong, and on which scene. */
-bool entries_verify(const contestant *list, size_t count, const char *scene, const truth *from, score *scores);
 
 #ifdef __cplusplus
 }

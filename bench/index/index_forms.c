@@ -37,59 +37,65 @@ void answer_room_free(answer_room *made)
     free(made->elsewhere);
 }
 
-static bool ask_list(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+static tribox_region region_of(const index_question *q, size_t b)
 {
-    return !tribox_index_list(&q->soup->index, &(tribox_region){.box = box}, options, q->soup->room.soup.count, q->room->list,
-                              &report->overlapping);
+    return q->boxes ? (tribox_region){.box = &q->boxes[b]} : (tribox_region){.oriented = &q->turned[b]};
 }
 
-static bool ask_count(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+static bool ask_list(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
 {
-    return !tribox_index_overlap(&q->soup->index, &(tribox_region){.box = box}, options, NULL, report);
+    const tribox_region region = region_of(q, b);
+    return !tribox_index_list(q->index, &region, options, q->triangles, q->room->list, &report->overlapping);
+}
+
+static bool ask_count(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
+{
+    const tribox_region region = region_of(q, b);
+    return !tribox_index_overlap(q->index, &region, options, NULL, report);
 }
 
 /* Counts whether there is one; which it is stands in number[0]. */
-static bool ask_any(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+static bool ask_any(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
 {
+    const tribox_region region = region_of(q, b);
     size_t triangle;
-    const bool is_answered = !tribox_index_any(&q->soup->index, &(tribox_region){.box = box}, options, &triangle);
+    const bool is_answered = !tribox_index_any(q->index, &region, options, &triangle);
     q->room->number[0] = (uint32_t)triangle;
-    report->overlapping = triangle < q->soup->room.soup.count;
+    report->overlapping = triangle < q->triangles;
     return is_answered;
 }
 
 /* Counts words. */
-static bool ask_words(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+static bool ask_words(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
 {
-    const tribox_soup *const soup = &q->soup->room.soup;
-    return !tribox_index_words(&q->soup->index, &(tribox_region){.box = box}, options, tribox_mask_words(soup->count),
-                               q->room->number, q->room->bits, NULL, &report->overlapping, NULL);
+    const tribox_region region = region_of(q, b);
+    return !tribox_index_words(q->index, &region, options, tribox_mask_words(q->triangles), q->room->number, q->room->bits, NULL,
+                               &report->overlapping, NULL);
 }
 
-static bool ask_mask(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+static bool ask_mask(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
 {
-    return !tribox_index_overlap(&q->soup->index, &(tribox_region){.box = box}, options, q->room->mask, report);
+    const tribox_region region = region_of(q, b);
+    return !tribox_index_overlap(q->index, &region, options, q->room->mask, report);
 }
 
-static bool ask_linear(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+static bool ask_linear(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
 {
-    return !tribox_overlap(&q->soup->room.soup, box, options, q->room->linear, report);
+    uint64_t *const mask = q->room->linear;
+    return !(!q->boxes ? tribox_overlap_oriented(q->soup, &q->turned[b], options, mask, report)
+             : q->soup ? tribox_overlap(q->soup, &q->boxes[b], options, mask, report)
+                       : tribox_mesh_overlap(q->mesh, &q->boxes[b], options, mask, report));
 }
 
-typedef bool ask_form(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report);
+typedef bool ask_form(const index_question *q, size_t b, const tribox_options *options, tribox_report *report);
 
-static inline bool run_form(const contestant *self, ask_form *ask, tribox_report *report)
+/* contestant.pairs: boxes. */
+static inline bool run_form(const contestant *self, ask_form *ask)
 {
-    const index_question *const q = self->question;
-    tribox_report all = {0, 0};
-    for (size_t b = 0; b < q->count; b++) {
-        tribox_report one = {0, 0};
-        if (!ask(q, &q->boxes[b], &self->options, &one))
+    tribox_report one;
+    for (size_t b = 0; b < (size_t)self->pairs; b++)
+        if (!ask(self->question, b, &self->options, &one))
             return false;
-        all.overlapping += one.overlapping;
-    }
-    if (report)
-        *report = all;
     return true;
 }
 
@@ -97,7 +103,8 @@ static inline bool run_form(const contestant *self, ask_form *ask, tribox_report
     static bool run_##form(const contestant *self, uint64_t *mask, tribox_report *report) \
     { \
         (void)mask; \
-        return run_form(self, ask_##form, report); \
+        (void)report; \
+        return run_form(self, ask_##form); \
     }
 RUN(list)
 RUN(count)
@@ -108,27 +115,33 @@ RUN(linear)
 
 void index_warm_up(const contestant *self, uint64_t *mask) { self->run(self, mask, NULL); }
 
-contestant index_contestant(const index_question *question, index_form form, const char *kernel)
-{
-    static bool (*const run[FORMS])(const contestant *, uint64_t *, tribox_report *) = {run_list,  run_count, run_any,
-                                                                                        run_words, run_mask,  run_linear};
-    contestant made = {.run = run[form], .question = question, .options = {.kernel = kernel}, .pairs = (double)question->count};
-    made.prepare = form == FORM_LINEAR ? NULL : index_warm_up;
-    snprintf(made.name, sizeof made.name, "%s", names[form]);
-    return made;
-}
-
 static void empty_caches(const contestant *self, uint64_t *mask)
 {
     const answer_room *const room = ((const index_question *)self->question)->room;
     mask[0] = loads_words(room->elsewhere, room->elsewhere_bytes / sizeof(uint32_t));
 }
 
-contestant index_contestant_cold(const index_question *question, index_form form, const char *kernel)
+contestant index_contestant(const index_question *question, index_form form, bool is_cold, const char *kernel)
 {
-    contestant made = index_contestant(question, form, kernel);
-    made.prepare = empty_caches;
+    static bool (*const run[FORMS])(const contestant *, uint64_t *, tribox_report *) = {run_list,  run_count, run_any,
+                                                                                        run_words, run_mask,  run_linear};
+    const bool is_linear = form == FORM_LINEAR;
+    contestant made = {.run = run[form], .question = question, .options = {.kernel = kernel}};
+    made.pairs = (double)(is_linear ? question->linear_count : question->count);
+    made.prepare = is_cold ? empty_caches : is_linear ? NULL : index_warm_up;
+    snprintf(made.name, sizeof made.name, "%s", names[form]);
     return made;
+}
+
+double index_hits(const index_question *q, const char *kernel)
+{
+    double hits = 0;
+    for (size_t b = 0; b < q->count; b++) {
+        tribox_report one = {0, 0};
+        ask_count(q, b, &(tribox_options){.kernel = kernel}, &one);
+        hits += (double)one.overlapping;
+    }
+    return hits / (double)q->count;
 }
 
 static bool is_set(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
@@ -136,11 +149,10 @@ static bool is_set(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 
 /* The list is to be the set bits in ascending order, each by the number that it has in the file. */
 static bool is_list_right(const index_question *q, size_t found)
 {
-    const size_t count = q->soup->room.soup.count;
     size_t at = 0;
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < q->triangles; i++)
         if (is_set(q->room->linear, i)) {
-            if (at == found || q->room->list[at] != (q->soup->ids ? q->soup->ids[i] : (uint32_t)i))
+            if (at == found || q->room->list[at] != (q->ids ? q->ids[i] : (uint32_t)i))
                 return false;
             at++;
         }
@@ -149,7 +161,7 @@ static bool is_list_right(const index_question *q, size_t found)
 
 static bool are_words_right(const index_question *q, size_t found)
 {
-    const size_t words = tribox_mask_words(q->soup->room.soup.count);
+    const size_t words = tribox_mask_words(q->triangles);
     size_t at = 0;
     for (size_t w = 0; w < words; w++)
         if (q->room->linear[w]) {
@@ -161,24 +173,24 @@ static bool are_words_right(const index_question *q, size_t found)
 }
 
 /* Forms that are wrong about a box; a refusal is wrong, too. */
-static unsigned find_wrong(const index_question *q, const tribox_box *box, const tribox_options *options)
+static unsigned find_wrong(const index_question *q, size_t b, const tribox_options *options)
 {
-    const size_t words = tribox_mask_words(q->soup->room.soup.count);
+    const size_t words = tribox_mask_words(q->triangles);
     tribox_report linear, mask, count, list, found, any;
     unsigned wrong = 0;
-    if (!ask_linear(q, box, options, &linear))
+    if (!ask_linear(q, b, options, &linear))
         return 1u << FORM_LINEAR;
     memset(q->room->mask, 0xff, words * sizeof *q->room->mask);
-    if (!ask_mask(q, box, options, &mask) || mask.overlapping != linear.overlapping ||
+    if (!ask_mask(q, b, options, &mask) || mask.overlapping != linear.overlapping ||
         memcmp(q->room->mask, q->room->linear, words * sizeof *q->room->mask) != 0)
         wrong |= 1u << FORM_MASK;
-    if (!ask_count(q, box, options, &count) || count.overlapping != linear.overlapping)
+    if (!ask_count(q, b, options, &count) || count.overlapping != linear.overlapping)
         wrong |= 1u << FORM_COUNT;
-    if (!ask_list(q, box, options, &list) || list.overlapping != linear.overlapping || !is_list_right(q, list.overlapping))
+    if (!ask_list(q, b, options, &list) || list.overlapping != linear.overlapping || !is_list_right(q, list.overlapping))
         wrong |= 1u << FORM_LIST;
-    if (!ask_words(q, box, options, &found) || !are_words_right(q, found.overlapping))
+    if (!ask_words(q, b, options, &found) || !are_words_right(q, found.overlapping))
         wrong |= 1u << FORM_WORDS;
-    if (!ask_any(q, box, options, &any) || any.overlapping != (linear.overlapping > 0) ||
+    if (!ask_any(q, b, options, &any) || any.overlapping != (linear.overlapping > 0) ||
         (any.overlapping && !is_set(q->room->linear, q->room->number[0])))
         wrong |= 1u << FORM_ANY;
     return wrong;
@@ -187,10 +199,10 @@ static unsigned find_wrong(const index_question *q, const tribox_box *box, const
 bool index_forms_verify(const index_question *question, size_t boxes, const char *kernel)
 {
     for (size_t b = 0; b < boxes && b < question->count; b++) {
-        const unsigned wrong = find_wrong(question, &question->boxes[b], &(tribox_options){.kernel = kernel});
+        const unsigned wrong = find_wrong(question, b, &(tribox_options){.kernel = kernel});
         for (int f = 0; f < FORMS; f++)
             if (wrong >> f & 1)
-                return message_failure("order %s, box %zu: %s is wrong", question->soup->name, b, names[f]) == EXIT_CODE_OK;
+                return message_failure("%s, box %zu: %s is wrong", question->name, b, names[f]) == EXIT_CODE_OK;
     }
     return true;
 }

@@ -1,8 +1,9 @@
-/* index_forms.h - the forms in which an index answers, against tribox_overlap without one, each for many boxes in turn. */
+/* index_forms.h - the forms in which an index answers, against the call without one, each for many boxes in turn. */
 #ifndef BENCH_INDEX_FORMS_H
 #define BENCH_INDEX_FORMS_H
 
-#include "ordered_soup.h"
+#include <stdbool.h>
+
 #include "timing/contestant.h"
 
 #ifdef __cplusplus
@@ -27,10 +28,17 @@ bool answer_room_make(size_t triangles, size_t elsewhere_bytes, answer_room *mad
 
 void answer_room_free(answer_room *made);
 
+/* Boxes, axis-aligned or turned, asked one after the other of an index over a soup or a mesh. */
 typedef struct index_question {
-    const ordered_soup *soup;
-    const tribox_box *boxes;
-    size_t count;
+    const char *name;
+    const tribox_index *index;
+    const uint32_t *ids; /* NULL in the order of the file */
+    size_t triangles;
+    const tribox_soup *soup; /* NULL for a mesh */
+    const tribox_mesh *mesh;
+    const tribox_box *boxes; /* NULL for turned ones */
+    const tribox_oriented_box *turned;
+    size_t count, linear_count; /* boxes; without an index the first ones */
     answer_room *room;
 } index_question;
 
@@ -40,15 +48,15 @@ typedef struct index_question {
  */
 void index_warm_up(const contestant *self, uint64_t *mask);
 
-/* Asks about one box after the other, with warm caches; linear as it finds them. kernel: NULL for the widest. */
-contestant index_contestant(const index_question *question, index_form form, const char *kernel);
+/* Linear is timed as its caches are. is_cold: all are, with caches that hold other things before each pass. */
+contestant index_contestant(const index_question *question, index_form form, bool is_cold, const char *kernel);
 
-/* The same with caches that hold other things before each pass. */
-contestant index_contestant_cold(const index_question *question, index_form form, const char *kernel);
+/* The mean of what overlaps a box. */
+double index_hits(const index_question *question, const char *kernel);
 
 /*
- * Whether every form is right about the first `boxes` boxes, by tribox_overlap: bit for bit, lists in the numbers of the file. If
- * not, false with a message.
+ * Whether every form is right about the first `boxes` boxes, by the call without an index: bit for bit, lists in the numbers of the
+ * file. If not, false with a message.
  */
 bool index_forms_verify(const index_question *question, size_t boxes, const char *kernel);
 

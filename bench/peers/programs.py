@@ -1,12 +1,8 @@
 """Peers in C and C++, which the programs of the benchmarks time: rows as those of run.py."""
 
-import collections
-import csv
 import json
 import os
-import re
 import subprocess
-import tempfile
 
 
 def voxels(build, path, cells):
@@ -23,20 +19,15 @@ def voxels(build, path, cells):
 
 def trees(build, path, _):
     """Lists of the triangles in boxes, 0.1 to 50 % of the mesh."""
-    with tempfile.TemporaryDirectory() as folder:
-        table = os.path.join(folder, "peers.csv")
-        command = [os.path.join(build, "tests", "peers", "peers"), "--boxes", "10", "--rounds", "3", "--csv", table, path]
-        text = subprocess.check_output(command, text=True)
-        with open(table, encoding="utf-8") as file:
-            times = collections.defaultdict(dict)
-            for line in csv.DictReader(file):
-                times[line["contestant"]][line["part"]] = float(line["us"]) / 1e6
-    hits = int(re.search(r"boxes, (\d+) hits", text)[1])
-    for name, missed, extra in re.findall(r"(\w+) missing (\d+), extra (\d+)", text):
-        agreement = {"of": hits, "missed": int(missed), "extra": int(extra)}  # over all sizes
-        for part, theirs in times[name].items():
-            yield {"peer": name, "question": "boxes of 0.1 to 50 %", "cells": 0, "way": f"tests/peers, {100 * float(part):g} %",
-                   "ours": [times["list"][part]] * 2, "theirs": [theirs] * 2, **agreement}
+    command = [os.path.join(build, "tests", "peers", "peers"), "--boxes", "10", "--rounds", "3", "--json", path]
+    times, answers, *_ = (table["rows"] for table in json.loads(subprocess.check_output(command))["tables"])
+    us = {(row["contestant"], row["box_%"]): row["us"] for row in times}
+    for peer in answers:
+        agreement = {"of": peer["all_hits"], "missed": peer["missing"], "extra": peer["extra"]}  # over all sizes
+        for part in [part for name, part in us if name == peer["peer"]]:
+            ours, theirs = us["list", part] / 1e6, us[peer["peer"], part] / 1e6
+            yield {"peer": peer["peer"], "question": "boxes of 0.1 to 50 %", "cells": 0, "way": f"tests/peers, {part:g} %",
+                   "ours": [ours] * 2, "theirs": [theirs] * 2, **agreement}
             agreement = {}
 
 

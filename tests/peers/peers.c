@@ -4,183 +4,218 @@
  *
  * Exact peers have to agree on every triangle and box, or the program fails and times nothing more. Those that round are counted.
  */
-#include <stdio.h>
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "common/header.h"
-#include "common/whole.h"
-#include "console/message.h"
-#include "console/option_reader.h"
-#include "peers_report.h"
+#include "common/asked.h"
+#include "peers_field.h"
 
-enum { MESHES_MAX = 16, RESULTS_MAX = MESHES_MAX + 1, SKIPPED = 77, BOXES = 50, BOXES_OF_TEST = 5, TRIANGLES_OF_TEST = 20000 };
+enum { SKIPPED = 77, PEER_SIZES = 7, RESULTS_MAX = MESH_LIST_MAX + 1 };
+
+/* Edges of the boxes, as parts of the greatest extent. */
+static const double peer_part[PEER_SIZES] = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.5};
 
 /* A linear pass has as many boxes as there is time for. */
 static const size_t linear_pairs = 100000000, verified_pairs = 5000000;
 
-typedef struct settings {
-    uint64_t seed, boxes, rounds, terrain;
-    bool is_timed;
-    const char *csv;
-    const char *mesh[MESHES_MAX];
-    size_t meshes;
-} settings;
-
-static const char usage[] =
-    "Usage: peers [--verify] [--terrain N] [--boxes N] [--rounds N] [--seed N] [--csv FILE] [MESH...]\n"
-    "Compares an index over a soup with CGAL, Embree and Bullet, those of them that were found: answers, then times.\n"
-    "  MESH             a mesh file; $TRIBOX_MESHES may name a folder to look in. Without one dragon_vrip, buildings, "
-    "SainteHelens\n"
-    "                   and sponza (.ply) of that folder\n"
-    "  --verify         answers alone, about few boxes\n"
-    "  --terrain N      triangles of a terrain that is made here; without it 20000 to verify, else 0\n"
-    "  --boxes N        boxes of each size; without it 50, to verify 5\n"
-    "  --rounds N       rounds, 3 to 101; without it 9\n"
-    "  --seed N         of the terrain, the boxes and the order within the rounds\n"
-    "  --csv FILE       writes the times for the chart\n";
-
-enum { OPTION_VERIFY, OPTION_TERRAIN, OPTION_BOXES, OPTION_ROUNDS, OPTION_SEED, OPTION_CSV };
-
-static const option_entry options[] = {[OPTION_VERIFY] = {"verify", 0, false},
-                                       [OPTION_TERRAIN] = {"terrain", 't', true},
-                                       [OPTION_BOXES] = {"boxes", 'b', true},
-                                       [OPTION_ROUNDS] = {"rounds", 0, true},
-                                       [OPTION_SEED] = {"seed", 0, true},
-                                       [OPTION_CSV] = {"csv", 0, true},
-                                       {NULL, 0, false}};
-
-static int take(void *request, int which, const char *value)
-{
-    settings *const s = request;
-    switch (which) {
-    case OPTION_VERIFY:
-        s->is_timed = false;
-        return EXIT_CODE_OK;
-    case OPTION_TERRAIN:
-        return whole_read(value, "terrain", 0, UINT32_MAX, &s->terrain);
-    case OPTION_BOXES:
-        return whole_read(value, "boxes", 1, 100000, &s->boxes);
-    case OPTION_ROUNDS:
-        return whole_read(value, "rounds", 3, 101, &s->rounds);
-    case OPTION_SEED:
-        return whole_read(value, "seed", 0, UINT64_MAX, &s->seed);
-    case OPTION_CSV:
-        s->csv = value;
-        return EXIT_CODE_OK;
-    default:
-        if (s->meshes == MESHES_MAX)
-            return message_usage("'%s' is one mesh too many: give %d at most", value, MESHES_MAX);
-        s->mesh[s->meshes++] = value;
-        return EXIT_CODE_OK;
-    }
-}
+typedef struct peers_result {
+    char name[64];
+    size_t entrant_count;
+    entrant entrants[FIELD_MAX]; /* by name alone: their peers may be gone */
+    double us[PEER_SIZES][FIELD_MAX];
+} peers_result;
 
 /* Exact peers may not differ; the index has no excuse, as CGAL and Embree have none. */
-static bool are_answers_right(const field *f, const peer_errors errors[PEERS_MAX])
+static bool are_answers_right(const field *f, const peer_errors unlike[PEERS_MAX])
 {
     bool is_right = true;
     for (size_t p = 0; p < f->peer_count; p++)
-        if (f->peers[p].tree && (errors[p].any || (f->peers[p].peer->is_exact && errors[p].missing + errors[p].extra))) {
+        if (f->peers[p].tree && (unlike[p].any || (f->peers[p].peer->is_exact && unlike[p].missing + unlike[p].extra))) {
             message_failure("%s: %s answers otherwise: missing %zu, extra %zu%s", f->scene->name, f->peers[p].peer->name,
-                            errors[p].missing, errors[p].extra, errors[p].any ? ", and whether there is any" : "");
+                            unlike[p].missing, unlike[p].extra, unlike[p].any ? ", and whether there is any" : "");
             is_right = false;
         }
     return is_right;
 }
 
-static bool run_size(field *f, int size, const settings *s, tribox_box *boxes, generator *order, peers_result *r,
-                     peer_errors errors[PEERS_MAX])
+/* Whom an entrant is compared with: list and linear with list, any with any. */
+static double times_own(const peers_result *r, int size, size_t e)
 {
-    const size_t count = (size_t)s->boxes;
-    index_scene_boxes(f->scene, peer_part[size], count, s->seed + (uint64_t)size, boxes);
-    if (!field_answer(f, boxes, count, index_scene_boxes_within(f->scene, verified_pairs, count), errors))
-        return false;
-    if (s->is_timed) {
-        field_time(f, (size_t)s->rounds, index_scene_boxes_within(f->scene, linear_pairs, count), order, r->us[size]);
-        peers_print_row(r, size, (double)f->start[count] / (double)count);
-    }
-    return are_answers_right(f, errors);
+    return r->us[size][e] / r->us[size][r->entrants[e].is_any ? ENTRANT_ANY : ENTRANT_LIST];
 }
 
-static bool run_scene(const index_scene *at, const settings *s, generator *order, peers_result *r)
+static void tell_size(printout *out, const peers_result *r, int size, double hits)
 {
+    for (size_t e = 0; e < r->entrant_count; e++) {
+        printout_text(out, "contestant", r->entrants[e].name);
+        printout_text_data(out, "scene", r->name);
+        printout_number(out, "box_%", 1, 100 * peer_part[size]);
+        printout_number(out, "hits", 1, hits);
+        printout_number(out, "us", 2, r->us[size][e]);
+        printout_number(out, "times", 1, times_own(r, size, e));
+        printout_row(out);
+    }
+}
+
+static bool run_size(asked *q, field *f, int size, tribox_box *boxes, size_t count, peers_result *r, peer_errors unlike[PEERS_MAX])
+{
+    index_scene_boxes(f->scene, peer_part[size], count, q->seed + (uint64_t)size, boxes);
+    if (!field_answer(f, boxes, count, index_scene_boxes_within(f->scene, verified_pairs, count), unlike))
+        return false;
+    if (!asked_has(q, OPTION_VERIFY)) {
+        field_time(f, (size_t)asked_number(q, OPTION_ROUNDS, 9), index_scene_boxes_within(f->scene, linear_pairs, count), &q->order,
+                   r->us[size]);
+        tell_size(&q->out, r, size, (double)f->start[count] / (double)count);
+    }
+    return are_answers_right(f, unlike);
+}
+
+static void tell_errors(printout *out, const field *f, size_t boxes, size_t hits, const peer_errors unlike[PEERS_MAX])
+{
+    printout_table(out, "%s: answers about %zu boxes, %zu hits", f->scene->name, boxes, hits);
+    for (size_t p = 0; p < f->peer_count; p++) {
+        printout_text(out, "peer", f->peers[p].peer->name);
+        printout_data(out, "all_hits", (double)hits);
+        printout_number(out, "missing", 0, f->peers[p].tree ? (double)unlike[p].missing : (double)NAN);
+        printout_number(out, "extra", 0, f->peers[p].tree ? (double)unlike[p].extra : (double)NAN);
+        printout_number(out, "within_rounding", 0, (double)unlike[p].near);
+        printout_number(out, "candidates_a_hit", 2, hits ? (double)unlike[p].candidates / (double)hits : (double)NAN);
+        printout_number(out, "seconds_to_build", 3, f->peers[p].seconds);
+        printout_row(out);
+    }
+}
+
+static bool run_scene(asked *q, const index_scene *at, peers_result *r)
+{
+    const size_t count = (size_t)asked_number(q, OPTION_BOXES, asked_has(q, OPTION_VERIFY) ? 5 : 50);
     field f;
-    peer_errors errors[PEERS_MAX] = {{0}};
+    peer_errors unlike[PEERS_MAX] = {{0}};
     size_t hits = 0;
-    tribox_box *const boxes = malloc((size_t)s->boxes * sizeof *boxes);
-    bool is_run = field_make(at, (size_t)s->boxes, &f) && boxes;
-    *r = (peers_result){.triangles = at->room.soup.count};
+    tribox_box *const boxes = asked_allocate(count, sizeof *boxes);
+    bool is_run = field_make(at, count, &f);
+    const order_cost *const cost = &f.soup.cost;
     memcpy(r->name, at->name, sizeof r->name);
     r->entrant_count = field_entrants(&f, r->entrants);
-    if (is_run && s->is_timed)
-        peers_print_head(&f, r);
-    else if (is_run)
-        printf("\n%s: %zu triangles\n", at->name, r->triangles);
+    if (is_run && !asked_has(q, OPTION_VERIFY))
+        printout_table(&q->out, "%s: %zu triangles; seconds to build the index %.3f", r->name, at->room.soup.count,
+                       1e-9 * (double)at->room.soup.count * (cost->order + cost->gather + cost->build));
     for (int size = 0; is_run && size < PEER_SIZES; size++) {
-        is_run = run_size(&f, size, s, boxes, order, r, errors);
-        hits += is_run ? f.start[s->boxes] : 0;
+        is_run = run_size(q, &f, size, boxes, count, r, unlike);
+        hits += is_run ? f.start[count] : 0;
     }
     if (is_run)
-        peers_print_errors(&f, PEER_SIZES * (size_t)s->boxes, hits, errors);
+        tell_errors(&q->out, &f, PEER_SIZES * count, hits, unlike);
     field_free(&f);
     free(boxes);
     return is_run;
 }
 
-static bool run_all(const settings *s, peers_result *results, size_t *count)
+/* ---- goals ----------------------------------------------------------------------------------------------------------------- */
+
+/* Goals are about four of the sizes. */
+enum { GOAL_SIZES = 4 };
+static const int goal_size[GOAL_SIZES] = {0, 2, 4, 6};
+
+static const struct peer_goal {
+    const char *name;
+    double times[GOAL_SIZES];
+} goals[] = {{"CGAL", {15, 40, 150, 300}}, {"Embree", {4, 6, 15, 25}}, {"Embree+", {4, 6, 15, 25}}, {"linear", {200, 60, 12, 5}}};
+
+static const double any_times = 4;
+
+static size_t entrant_called(const peers_result *r, const char *name, bool is_any)
 {
-    generator order = {~s->seed};
-    index_scene at;
-    *count = 0;
-    for (size_t i = 0; i < s->meshes + (s->terrain > 0); i++) {
-        if (!(i < s->meshes ? index_scene_read(s->mesh[i], &at) : index_scene_terrain((size_t)s->terrain, s->seed, &at)))
+    size_t e = 0;
+    for (; e < r->entrant_count; e++)
+        if (!strncmp(r->entrants[e].name, name, strlen(name)) && r->entrants[e].is_any == is_any)
+            break;
+    return e;
+}
+
+/* The geometric mean over the meshes that count; NaN where there are none. */
+static double mean_times(const peers_result *results, size_t count, const char *name, int size)
+{
+    double logarithm = 0;
+    size_t found = 0;
+    for (size_t r = 0; r < count; r++) {
+        const size_t e = entrant_called(&results[r], name, false);
+        if (!index_scene_has_goals(results[r].name) || e == results[r].entrant_count)
+            continue;
+        logarithm += log(times_own(&results[r], size, e));
+        found++;
+    }
+    return found ? exp(logarithm / (double)found) : (double)NAN;
+}
+
+static void tell_any(printout *out, const peers_result *r)
+{
+    const size_t e = entrant_called(r, "CGAL", true);
+    char what[96];
+    double logarithm = 0, least = INFINITY;
+    if (e == r->entrant_count)
+        return;
+    for (int size = 0; size < PEER_SIZES; size++) {
+        logarithm += log(times_own(r, size, e)) / PEER_SIZES;
+        least = fmin(least, times_own(r, size, e));
+    }
+    snprintf(what, sizeof what, "any: times CGAL, mean of all sizes, %.40s", r->name);
+    printout_goal(out, what, false, any_times, exp(logarithm));
+    snprintf(what, sizeof what, "any: times CGAL, the least of all sizes, %.40s", r->name);
+    printout_goal(out, what, false, any_times, least);
+}
+
+static void tell_goals(printout *out, const peers_result *results, size_t count)
+{
+    char what[96];
+    printout_table(out, "goals");
+    for (size_t g = 0; g < sizeof goals / sizeof goals[0]; g++)
+        for (int k = 0; k < GOAL_SIZES; k++) {
+            const double mean = mean_times(results, count, goals[g].name, goal_size[k]);
+            snprintf(what, sizeof what, "list: times %s, boxes of %.1f %%, mean of meshes", goals[g].name,
+                     100 * peer_part[goal_size[k]]);
+            if (!isnan(mean))
+                printout_goal(out, what, false, goals[g].times[k], mean);
+        }
+    for (size_t r = 0; r < count; r++)
+        tell_any(out, &results[r]);
+}
+
+static bool answer(asked *q)
+{
+    static peers_result results[RESULTS_MAX];
+    const char *const *usual;
+    const size_t usual_count = q->meshes.count ? 0 : index_scene_usual(&usual);
+    const size_t terrain = (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_VERIFY) ? 20000 : 0);
+    for (size_t k = 0; k < usual_count; k++)
+        mesh_list_take(&q->meshes, usual[k]);
+    for (size_t k = 0; k < q->meshes.count + (terrain > 0); k++) {
+        index_scene at;
+        if (!(k < q->meshes.count ? index_scene_read(q->meshes.path[k], &at) : index_scene_terrain(terrain, q->seed, &at)))
             return false;
-        const bool is_run = run_scene(&at, s, &order, &results[(*count)++]);
+        const bool is_run = run_scene(q, &at, &results[k]);
         index_scene_free(&at);
         if (!is_run)
             return false;
     }
+    if (!asked_has(q, OPTION_VERIFY))
+        tell_goals(&q->out, results, q->meshes.count + (terrain > 0));
     return true;
-}
-
-static int write_csv(const char *path, const peers_result *results, size_t count)
-{
-    FILE *const to = fopen(path, "w");
-    if (!to)
-        return message_failure("%s: cannot be written", path);
-    peers_csv_head(to);
-    for (size_t r = 0; r < count; r++)
-        peers_csv(to, &results[r]);
-    return fclose(to) ? message_failure("%s: cannot be written", path) : EXIT_CODE_OK;
 }
 
 int main(int argc, char **argv)
 {
-    static peers_result results[RESULTS_MAX];
-    settings s = {.seed = 1, .rounds = 9, .is_timed = true, .boxes = 0};
-    options_found found;
-    size_t count;
-    message_set_program("peers");
-    const int code = options_read(argc, argv, options, take, &s, &found);
-    if (code)
-        return code;
-    if (found.wants_help)
-        return fputs(usage, stdout) < 0;
+    static const bench_question peers = {
+        .name = "",
+        .asks = "Does an index answer as CGAL, Embree and Bullet do, and how many times as fast is it?",
+        .options = 1u << OPTION_VERIFY | 1u << OPTION_TERRAIN | 1u << OPTION_BOXES,
+        .takes_meshes = true,
+        .answer = answer};
+    static const bench_question *const all[] = {&peers};
+    static asked q;
     if (!peers_here[0]) {
         printf("skipped: built without CGAL, Embree and Bullet (Debian: libcgal-dev, libembree-dev, libbullet-dev)\n");
         return SKIPPED;
     }
-    s.boxes = s.boxes ? s.boxes : s.is_timed ? BOXES : BOXES_OF_TEST;
-    s.terrain = options_has(&found, OPTION_TERRAIN) || s.is_timed ? s.terrain : TRIANGLES_OF_TEST;
-    const char *const *usual;
-    const size_t usual_count = s.meshes ? 0 : index_scene_usual(&usual);
-    for (size_t k = 0; k < usual_count; k++)
-        s.mesh[s.meshes++] = usual[k];
-    const run r = {argc, argv, s.seed, machine_here()};
-    header_text(stdout, "", &r);
-    if (!run_all(&s, results, &count))
-        return EXIT_CODE_FAILURE;
-    if (s.is_timed)
-        peers_print_goals(results, count);
-    return s.csv ? write_csv(s.csv, results, count) : EXIT_CODE_OK;
+    return asked_main(argc, argv, all, 1, &q);
 }

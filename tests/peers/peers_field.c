@@ -18,7 +18,7 @@ bool field_make(const index_scene *scene, size_t boxes_most, field *made)
     made->triangles = malloc(count * sizeof *made->triangles);
     made->start = malloc((boxes_most + 1) * sizeof *made->start);
     if (!made->triangles || !made->start || !answer_room_make(count, 1, &made->room) ||
-        !ordered_soup_make(scene, ORDER_CUTS, 1, NULL, &made->soup))
+        !ordered_soup_make(scene, 1, NULL, &made->soup))
         return false;
     for (size_t i = 0; i < count; i++)
         soup_triangle(&scene->room.soup, i, made->triangles[i]);
@@ -142,11 +142,24 @@ static void compare(field *f, peer_field *with, peer_errors *errors)
         errors->any += with->peer->any(with->tree, f->boxes, f->box_count) != overlapped;
 }
 
+static index_question question_of(field *f, size_t linear_boxes)
+{
+    return (index_question){.name = "cuts",
+                            .index = &f->soup.index,
+                            .ids = f->soup.ids,
+                            .triangles = f->soup.room.soup.count,
+                            .soup = &f->soup.room.soup,
+                            .boxes = f->boxes,
+                            .count = f->box_count,
+                            .linear_count = linear_boxes,
+                            .room = &f->room};
+}
+
 bool field_answer(field *f, const tribox_box *boxes, size_t count, size_t verified, peer_errors errors[PEERS_MAX])
 {
     f->boxes = boxes;
     f->box_count = count;
-    const index_question question = {&f->soup, boxes, count, &f->room};
+    const index_question question = question_of(f, count);
     if (!index_forms_verify(&question, verified, NULL) || !answer_by_index(f))
         return false;
     for (size_t p = 0; p < f->peer_count; p++)
@@ -203,7 +216,7 @@ void field_time(field *f, size_t rounds, size_t linear_boxes, generator *order, 
 {
     static samples taken;
     static const index_form forms[ENTRANTS_OF_INDEX] = {FORM_LIST, FORM_ANY, FORM_LINEAR};
-    index_question own[2] = {{&f->soup, f->boxes, f->box_count, &f->room}, {&f->soup, f->boxes, linear_boxes, &f->room}};
+    const index_question own = question_of(f, linear_boxes);
     peer_question questions[PEERS_MAX];
     entrant entrants[FIELD_MAX];
     contestant list[FIELD_MAX];
@@ -214,7 +227,7 @@ void field_time(field *f, size_t rounds, size_t linear_boxes, generator *order, 
         if (entrants[e].peer && !entrants[e].peer->tree)
             continue;
         if (e < ENTRANTS_OF_INDEX)
-            list[timed] = index_contestant(&own[e == ENTRANT_LINEAR], forms[e], NULL);
+            list[timed] = index_contestant(&own, forms[e], false, NULL);
         else {
             peer_question *const q = &questions[entrants[e].peer - f->peers];
             *q = (peer_question){&f->peers[entrants[e].peer - f->peers], f->boxes, f->box_count};

@@ -3,6 +3,7 @@
 #define TRIBOX_TESTS_PEERS_FIELD_H
 
 #include "index/index_forms.h"
+#include "index/ordered_soup.h"
 #include "peer.h"
 #include "timing/measure.h"
 

@@ -92,7 +92,7 @@ static uint32_t *mesh_order(mesh *m, unsigned threads)
     return order;
 }
 
-/* What it takes to reach a stage: roughly, as that is good enough (build/bench/index). */
+/* What it takes to reach a stage: roughly, as that is good enough (tribox-bench index). */
 static const double seconds_per_triangle[] = {[INDEX_NONE] = 0, [INDEX_IN_FILE_ORDER] = 2e-9, [INDEX_ORDERED] = 100e-9};
 
 /* FAST may say more by an index, and far triangles overlap where the axes of the box are left out. */

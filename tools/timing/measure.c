@@ -147,11 +147,3 @@ size_t measure_disturbed(const samples *taken)
     }
     return disturbed;
 }
-
-void measure_warn_if_disturbed(FILE *to, const samples *taken)
-{
-    const size_t disturbed = measure_disturbed(taken);
-    if (disturbed)
-        fprintf(to, "disturbed: %zu of %zu have a median more than 10 %% above their least; trust the least times, or run again\n",
-                disturbed, taken->contestants);
-}

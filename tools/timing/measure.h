@@ -6,8 +6,6 @@
 #ifndef TIMING_MEASURE_H
 #define TIMING_MEASURE_H
 
-#include <stdio.h>
-
 #include "contestant.h"
 #include "paper/random.h"
 
@@ -46,7 +44,6 @@ size_t measure_wins(const samples *taken, size_t of, size_t to);
 
 /* How many have a median more than 10 % above their least: a quiet machine repeats a contestant to a few percent. */
 size_t measure_disturbed(const samples *taken);
-void measure_warn_if_disturbed(FILE *to, const samples *taken);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,493 @@
+/*
+ * index.c - what is an index worth? Lists, counts and other forms of answer by an index, over triangles in the order of the file
+ * and in order by cuts (tribox_soup_sort), over the soup and over meshes, about boxes of four sizes, turned ones, and boxes whose
+ * bounds are no floats; and many boxes in a call. Against the call without an index.
+ *
+ * Every form has to be right about boxes of every size, or nothing is timed.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/loads.h"
+#include "index/index_forms.h"
+#include "index/ordered_soup.h"
+#include "questions.h"
+#include "timing/weld.h"
+
+/* What is asked of whom. */
+typedef enum kind { OF_FILE, OF_CUTS, TURNED, WIDE_BOXES, OF_MESH, OF_DOUBLES, KINDS } kind;
+static const char *const kind_names[KINDS] = {"file",           "cuts",           "turned boxes", "boxes of doubles",
+                                              "mesh of floats", "mesh of doubles"};
+
+enum { BOX_SIZES = 4, TRIES = 3, MANY_SIZES = 2, SCENES_MAX = MESH_LIST_MAX + 1 };
+static const double box_part[BOX_SIZES] = {0.001, 0.01, 0.1, 0.5};
+
+/* A linear pass has as many boxes as there is time for: one costs hardly more than another, but turned ones do. */
+static const size_t linear_pairs = 100000000, turned_pairs = 25000000, verified_pairs = 20000000;
+
+static const double sample_seconds = 2e-3;
+
+/* What goals are about: microseconds a box, nanoseconds a triangle. */
+typedef struct scene_result {
+    char name[64];
+    size_t triangles;
+    double us[BOX_SIZES][KINDS][FORMS], reading, order, build[KINDS], memory;
+} scene_result;
+
+/* Of one soup. */
+typedef struct field {
+    const index_scene *scene;
+    ordered_soup cuts;
+    void *file_nodes, *mesh_nodes[2];
+    tribox_index file, mesh_index[2];
+    tribox_mesh mesh[2]; /* of floats; of doubles, far from zero */
+    float (*floats)[3];
+    double (*doubles)[3];
+    uint32_t *corners; /* in order by cuts; vertices are numbered as they come in the file */
+    tribox_box *boxes, *wide, *moved;
+    tribox_oriented_box *turned;
+    size_t count;
+    answer_room room;
+} field;
+
+/* ---- what is asked --------------------------------------------------------------------------------------------------------- */
+
+/* As if the mesh came from a map: farther away than it is long, where floats would not tell it. */
+static void far_away(const field *f, double by[3])
+{
+    const double extent = index_scene_extent(f->scene);
+    by[0] = 700 * extent;
+    by[1] = -9000 * extent;
+    by[2] = 33 * extent;
+}
+
+static bool make_meshes(field *f)
+{
+    const tribox_soup *const file = &f->scene->room.soup;
+    const size_t count = file->count;
+    uint32_t(*const welded)[3] = malloc(count * sizeof *welded);
+    const size_t vertices = welded ? weld_soup(file, f->floats, welded) : 0;
+    double by[3];
+    far_away(f, by);
+    for (size_t i = 0; vertices && i < count; i++)
+        memcpy(f->corners + 3 * i, welded[f->cuts.ids[i]], sizeof welded[0]);
+    for (size_t v = 0; v < vertices; v++)
+        for (int a = 0; a < 3; a++)
+            f->doubles[v][a] = (double)f->floats[v][a] + by[a];
+    free(welded);
+    for (int k = 0; k < 2; k++) {
+        f->mesh[k] = (tribox_mesh){.positions = k ? (const void *)f->doubles : f->floats,
+                                   .vertices = vertices,
+                                   .indices = f->corners,
+                                   .index_bytes = 4,
+                                   .count = count,
+                                   .position_bytes = k ? 8 : 4};
+        f->mesh_index[k] = (tribox_index){.nodes = f->mesh_nodes[k], .mesh = &f->mesh[k], .ids = f->cuts.ids};
+    }
+    return vertices;
+}
+
+/* The boxes' own size, turned by 0.5 about x, then by 0.7 about z; an ulp of double smaller; and with the mesh far away. */
+static void make_boxes(field *f, int size, uint64_t seed)
+{
+    const float c = 0.76484219f, s = 0.64421769f, e = 0.87758256f, d = 0.47942554f;
+    double by[3];
+    far_away(f, by);
+    index_scene_boxes(f->scene, box_part[size], f->count, seed + (uint64_t)size, f->boxes);
+    for (size_t b = 0; b < f->count; b++) {
+        f->turned[b] = (tribox_oriented_box){.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
+        for (int a = 0; a < 3; a++) {
+            const double lo = f->boxes[b].lo[a], hi = f->boxes[b].hi[a];
+            f->turned[b].center[a] = (float)lo / 2 + (float)hi / 2;
+            f->turned[b].half[a] = (float)hi / 2 - (float)lo / 2;
+            f->wide[b].lo[a] = nextafter(lo, hi);
+            f->wide[b].hi[a] = nextafter(hi, lo);
+            f->moved[b].lo[a] = lo + by[a];
+            f->moved[b].hi[a] = hi + by[a];
+        }
+    }
+}
+
+static bool make(const index_scene *scene, size_t boxes, size_t evicted, const char *kernel, field *f)
+{
+    const size_t count = scene->room.soup.count;
+    *f = (field){.scene = scene, .count = boxes};
+    if (!answer_room_make(count, evicted, &f->room) || !ordered_soup_make(scene, TRIES, kernel, &f->cuts))
+        return false;
+    f->floats = asked_allocate(3 * count, sizeof *f->floats);
+    f->doubles = asked_allocate(3 * count, sizeof *f->doubles);
+    f->corners = asked_allocate(3 * count, sizeof *f->corners);
+    f->boxes = asked_allocate(boxes, sizeof *f->boxes);
+    f->wide = asked_allocate(boxes, sizeof *f->wide);
+    f->moved = asked_allocate(boxes, sizeof *f->moved);
+    f->turned = asked_allocate(boxes, sizeof *f->turned);
+    f->file_nodes = index_room(count);
+    f->mesh_nodes[0] = index_room(count);
+    f->mesh_nodes[1] = index_room(count);
+    f->file = (tribox_index){.nodes = f->file_nodes, .soup = &scene->room.soup};
+    return (f->file_nodes && f->mesh_nodes[0] && f->mesh_nodes[1] && make_meshes(f)) ||
+           message_failure("out of memory for meshes") == EXIT_CODE_OK;
+}
+
+static void release(field *f)
+{
+    void *const rooms[] = {f->floats, f->doubles, f->corners,    f->boxes,         f->wide,
+                           f->moved,  f->turned,  f->file_nodes, f->mesh_nodes[0], f->mesh_nodes[1]};
+    for (size_t k = 0; k < sizeof rooms / sizeof rooms[0]; k++)
+        free(rooms[k]);
+    answer_room_free(&f->room);
+    ordered_soup_free(&f->cuts);
+}
+
+static index_question question_of(field *f, kind k)
+{
+    const bool is_mesh = k >= OF_MESH;
+    const tribox_index *const index = k == OF_FILE ? &f->file : is_mesh ? &f->mesh_index[k - OF_MESH] : &f->cuts.index;
+    return (index_question){.name = kind_names[k],
+                            .index = index,
+                            .ids = index->ids,
+                            .triangles = f->scene->room.soup.count,
+                            .soup = index->soup,
+                            .mesh = index->mesh,
+                            .boxes = k == TURNED       ? NULL
+                                     : k == WIDE_BOXES ? f->wide
+                                     : k == OF_DOUBLES ? f->moved
+                                                       : f->boxes,
+                            .turned = f->turned,
+                            .count = f->count,
+                            .linear_count = index_scene_boxes_within(f->scene, k == TURNED ? turned_pairs : linear_pairs, f->count),
+                            .room = &f->room};
+}
+
+/* ---- building -------------------------------------------------------------------------------------------------------------- */
+
+static bool run_reading(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    (void)report;
+    mask[0] = loads_all(self->question);
+    return true;
+}
+
+static bool run_build(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const tribox_index *const index = self->question;
+    (void)mask;
+    (void)report;
+    return !tribox_index_build(index, &self->options, (void *)(uintptr_t)index->nodes);
+}
+
+static void measure_builds(asked *q, field *f, effort how, scene_result *r)
+{
+    static const kind kinds[] = {OF_FILE, OF_CUTS, OF_MESH, OF_DOUBLES};
+    enum { BUILDS = sizeof kinds / sizeof kinds[0] };
+    contestant list[BUILDS + 1];
+    for (size_t k = 0; k < BUILDS; k++)
+        list[k] = (contestant){.run = run_build, .question = question_of(f, kinds[k]).index};
+    list[BUILDS] = (contestant){.run = run_reading, .question = &f->scene->room.soup};
+    for (size_t k = 0; k <= BUILDS; k++) {
+        list[k].options.kernel = q->kernel;
+        list[k].pairs = (double)r->triangles;
+    }
+    asked_measure(q, "build", list, BUILDS + 1, NULL, how, 1);
+    for (size_t k = 0; k < BUILDS; k++)
+        r->build[kinds[k]] = measure_spread(&q->taken, k).least;
+    r->reading = measure_spread(&q->taken, BUILDS).least;
+    r->order = f->cuts.cost.order;
+}
+
+/* After how many lists of boxes of a size order, gathering and build are paid back. */
+static double pays_after(const scene_result *r, const field *f, kind k, int size)
+{
+    const double ns = (k == OF_CUTS ? f->cuts.cost.order + f->cuts.cost.gather : 0) + r->build[k];
+    return ceil(1e-3 * (double)r->triangles * ns / (r->us[size][OF_FILE][FORM_LINEAR] - r->us[size][k][FORM_LIST]));
+}
+
+static void tell_builds(asked *q, const field *f, const scene_result *r)
+{
+    static const char *const paid[BOX_SIZES] = {"paid_by_0.1_%", "by_1_%", "by_10_%", "by_50_%_lists"};
+    printout_table(&q->out, "%s: ns a triangle; reading the streams takes %.2f, the index %.3f %% of their memory", r->name,
+                   r->reading, 100 * r->memory);
+    for (kind k = OF_FILE; k < KINDS; k++) {
+        if (k == TURNED || k == WIDE_BOXES)
+            continue;
+        printout_text(&q->out, "of", kind_names[k]);
+        printout_number(&q->out, "order", 1, k == OF_CUTS ? f->cuts.cost.order : (double)NAN);
+        printout_number(&q->out, "gather", 1, k == OF_CUTS ? f->cuts.cost.gather : (double)NAN);
+        printout_number(&q->out, "build", 2, r->build[k]);
+        printout_number(&q->out, "times_reading", 2, r->build[k] / r->reading);
+        for (int p = 0; p < BOX_SIZES; p++)
+            printout_number(&q->out, paid[p], 0, k <= OF_CUTS ? pays_after(r, f, k, p) : (double)NAN);
+        printout_row(&q->out);
+    }
+}
+
+/* ---- box after box --------------------------------------------------------------------------------------------------------- */
+
+static void tell_forms(asked *q, const index_question *question, int size, bool is_cold, double hits, const double us[FORMS])
+{
+    printout_text(&q->out, "of", is_cold ? "cuts, cold" : question->name);
+    printout_number(&q->out, "box_%", 1, 100 * box_part[size]);
+    printout_number(&q->out, "hits", 1, hits);
+    for (index_form form = FORM_LIST; form < FORMS; form++)
+        printout_number(&q->out, index_form_name(form), 2, us[form]);
+    printout_number(&q->out, "times_linear", 2, us[FORM_LINEAR] / us[FORM_LIST]);
+    printout_row(&q->out);
+}
+
+static bool ask_size(asked *q, field *f, int size, effort how, scene_result *r)
+{
+    index_question questions[KINDS];
+    contestant list[KINDS * FORMS];
+    double cold[FORMS];
+    make_boxes(f, size, q->seed);
+    for (kind k = OF_FILE; k < KINDS; k++) {
+        questions[k] = question_of(f, k);
+        if (!index_forms_verify(&questions[k], index_scene_boxes_within(f->scene, verified_pairs, f->count), q->kernel))
+            return false;
+        for (index_form form = FORM_LIST; form < FORMS; form++)
+            list[(size_t)k * FORMS + form] = index_contestant(&questions[k], form, false, q->kernel);
+    }
+    asked_measure(q, "forms", list, KINDS * FORMS, NULL, how, 1);
+    for (size_t c = 0; c < KINDS * FORMS; c++)
+        r->us[size][c / FORMS][c % FORMS] = 1e-3 * measure_spread(&q->taken, c).least;
+    for (index_form form = FORM_LIST; form < FORMS; form++)
+        list[form] = index_contestant(&questions[OF_CUTS], form, true, q->kernel);
+    asked_measure(q, "cold", list, FORMS, NULL, (effort){.rounds = how.rounds, .seconds = 1e9}, 1);
+    for (size_t form = 0; form < FORMS; form++)
+        cold[form] = 1e-3 * measure_spread(&q->taken, form).least;
+    for (kind k = OF_FILE; k < KINDS; k++)
+        tell_forms(q, &questions[k], size, false, index_hits(&questions[k], q->kernel), r->us[size][k]);
+    tell_forms(q, &questions[OF_CUTS], size, true, (double)NAN, cold);
+    return true;
+}
+
+/* ---- many boxes at once ---------------------------------------------------------------------------------------------------- */
+
+enum { AS_DRAWN, IN_ORDER, ORDERING, MANY_RUNS };
+
+/* As streams: as they were drawn, and in an order in which they are near each other. */
+typedef struct many {
+    const tribox_index *index;
+    float *bounds[2];
+    tribox_boxes boxes[2];
+    uint32_t *order, *list;
+    void *scratch;
+    size_t *start, room;
+} many;
+
+static bool run_many(const contestant *self, int which)
+{
+    const many *const m = self->question;
+    return !tribox_index_lists(m->index, &m->boxes[which], &self->options, m->room, m->list, m->start);
+}
+
+static bool run_as_drawn(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    (void)mask;
+    (void)report;
+    return run_many(self, AS_DRAWN);
+}
+
+static bool run_in_order(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    (void)mask;
+    (void)report;
+    return run_many(self, IN_ORDER);
+}
+
+static bool run_ordering(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const many *const m = self->question;
+    (void)mask;
+    (void)report;
+    return !tribox_boxes_sort(&m->boxes[0], m->order, m->scratch);
+}
+
+static bool make_many(const tribox_box *boxes, size_t count, const tribox_options *options, many *m)
+{
+    for (int w = 0; w < 2; w++) {
+        m->bounds[w] = asked_allocate(6 * count, sizeof *m->bounds[w]);
+        m->boxes[w].count = count;
+        for (size_t a = 0; a < 3; a++) {
+            m->boxes[w].lo[a] = m->bounds[w] + a * count;
+            m->boxes[w].hi[a] = m->bounds[w] + (3 + a) * count;
+        }
+    }
+    m->order = asked_allocate(count, sizeof *m->order);
+    m->scratch = asked_allocate(count, 16);
+    m->start = asked_allocate(count + 1, sizeof *m->start);
+    for (size_t i = 0; i < 6 * count; i++)
+        m->bounds[0][i] = (float)(i / count < 3 ? boxes[i % count].lo[i / count] : boxes[i % count].hi[i / count - 3]);
+    if (tribox_boxes_sort(&m->boxes[0], m->order, m->scratch))
+        return false;
+    for (size_t i = 0; i < 6 * count; i++)
+        m->bounds[1][i] = m->bounds[0][i / count * count + m->order[i % count]];
+    if (tribox_index_lists(m->index, &m->boxes[0], options, 0, NULL, m->start))
+        return false;
+    m->room = m->start[count];
+    m->list = asked_allocate(m->room + 1, sizeof *m->list);
+    return !tribox_index_lists(m->index, &m->boxes[0], options, m->room, m->list, m->start);
+}
+
+/* Whether every list of the call is that of a call about its box alone. */
+static bool is_many_right(const many *m, const tribox_box *boxes, size_t triangles, const tribox_options *options, uint32_t *list)
+{
+    for (size_t i = 0; i < m->boxes[0].count; i++) {
+        size_t found;
+        if (tribox_index_list(m->index, &(tribox_region){.box = &boxes[i]}, options, triangles, list, &found) ||
+            found != m->start[i + 1] - m->start[i] || memcmp(list, m->list + m->start[i], found * sizeof *m->list) != 0)
+            return false;
+    }
+    return true;
+}
+
+static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
+{
+    static bool (*const runs[MANY_RUNS])(const contestant *, uint64_t *, tribox_report *) = {run_as_drawn, run_in_order,
+                                                                                             run_ordering};
+    const tribox_options options = {.kernel = q->kernel};
+    tribox_box *const boxes = asked_allocate(count, sizeof *boxes);
+    many m = {.index = &f->cuts.index};
+    contestant list[MANY_RUNS];
+    index_scene_boxes(f->scene, box_part[size], count, q->seed + 99, boxes);
+    const bool is_right =
+        make_many(boxes, count, &options, &m) && is_many_right(&m, boxes, f->scene->room.soup.count, &options, f->room.list);
+    for (size_t c = 0; c < MANY_RUNS; c++)
+        list[c] = (contestant){.run = runs[c], .question = &m, .options = options, .pairs = (double)count};
+    if (is_right) {
+        asked_measure(q, "many", list, MANY_RUNS, NULL, how, 1);
+        printout_number(&q->out, "box_%", 1, 100 * box_part[size]);
+        printout_number(&q->out, "boxes", 0, (double)count);
+        printout_number(&q->out, "as_drawn", 0, measure_spread(&q->taken, AS_DRAWN).least);
+        printout_number(&q->out, "in_order", 0, measure_spread(&q->taken, IN_ORDER).least);
+        printout_number(&q->out, "ordering", 0, measure_spread(&q->taken, ORDERING).least);
+        printout_row(&q->out);
+    }
+    void *const rooms[] = {boxes, m.bounds[0], m.bounds[1], m.order, m.list, m.scratch, m.start};
+    for (size_t k = 0; k < sizeof rooms / sizeof rooms[0]; k++)
+        free(rooms[k]);
+    return is_right || message_failure("the lists of %zu boxes are wrong", count) == EXIT_CODE_OK;
+}
+
+/* ---- goals ----------------------------------------------------------------------------------------------------------------- */
+
+static double list_ratio(const scene_result *r, kind k, int size)
+{
+    return r->us[size][k][FORM_LINEAR] / r->us[size][k][FORM_LIST];
+}
+
+/* Geometric means over the meshes that goals are about; the terrain has its own. */
+static void tell_list_goals(printout *out, const scene_result *results, size_t count)
+{
+    static const double of_meshes[BOX_SIZES] = {200, 60, 12, 5}, of_terrain[BOX_SIZES] = {5000, 1000, 80, 12};
+    for (int p = 0; p < BOX_SIZES; p++) {
+        char what[96];
+        double logarithm = 0;
+        size_t found = 0;
+        for (size_t r = 0; r < count; r++) {
+            const bool is_terrain = !strcmp(results[r].name, "terrain") && results[r].triangles >= 9000000;
+            if (index_scene_has_goals(results[r].name)) {
+                logarithm += log(list_ratio(&results[r], OF_CUTS, p));
+                found++;
+            }
+            snprintf(what, sizeof what, "list, cuts, boxes of %.1f %%: times linear, terrain", 100 * box_part[p]);
+            if (is_terrain)
+                printout_goal(out, what, false, of_terrain[p], list_ratio(&results[r], OF_CUTS, p));
+        }
+        snprintf(what, sizeof what, "list, cuts, boxes of %.1f %%: times linear, mean of %zu", 100 * box_part[p], found);
+        if (found)
+            printout_goal(out, what, false, of_meshes[p], exp(logarithm / (double)found));
+    }
+}
+
+/* The worst of all soups; of those that are larger than a cache; and of the meshes that goals are about. */
+static void tell_goals(printout *out, const scene_result *results, size_t count)
+{
+    double file = 0, build = 0, large_build = 0, large_memory = 0, doubles = 0, boxes = 0;
+    printout_table(out, "goals");
+    tell_list_goals(out, results, count);
+    for (size_t k = 0; k < count; k++) {
+        const scene_result *const r = &results[k];
+        const bool is_large = r->triangles >= 100000, has_goals = index_scene_has_goals(r->name);
+        build = fmax(build, r->build[OF_CUTS] / r->reading);
+        large_build = is_large ? fmax(large_build, r->build[OF_CUTS] / r->reading) : large_build;
+        large_memory = is_large ? fmax(large_memory, 100 * r->memory) : large_memory;
+        for (int p = 0; p < BOX_SIZES; p++) {
+            const double soup = r->us[p][OF_CUTS][FORM_LIST];
+            file = fmax(file, 1 / list_ratio(r, OF_FILE, p));
+            doubles = has_goals ? fmax(doubles, r->us[p][OF_DOUBLES][FORM_LIST] / soup) : doubles;
+            boxes = has_goals ? fmax(boxes, r->us[p][WIDE_BOXES][FORM_LIST] / soup) : boxes;
+        }
+        if (!strcmp(r->name, "dragon_vrip.ply"))
+            printout_goal(out, "order by cuts: ns a triangle, dragon", true, 80, r->order);
+    }
+    printout_goal(out, "list, in the order of the file: linear's time, the worst", true, 1.15, file);
+    printout_goal(out, "build: times reading, the worst", true, 1.5, build);
+    if (large_memory > 0) {
+        printout_goal(out, "build: times reading, the worst from 100,000 triangles on", true, 1.5, large_build);
+        printout_goal(out, "memory: percent of the streams, the worst from 100,000 on", true, 1.2, large_memory);
+    }
+    if (boxes > 0) {
+        printout_goal(out, "list, mesh of doubles: the ordered soup's time, the worst", true, 2.5, doubles);
+        printout_goal(out, "list, boxes of doubles: that of boxes of floats, the worst", true, 1.1, boxes);
+    }
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------------------------- */
+
+static bool ask_scene(asked *q, const index_scene *at, scene_result *r)
+{
+    const bool is_quick = asked_has(q, OPTION_QUICK);
+    const size_t count = at->room.soup.count, boxes = (size_t)asked_number(q, OPTION_BOXES, is_quick ? 20 : 100);
+    const effort how = {
+        .rounds = (size_t)asked_number(q, OPTION_ROUNDS, is_quick ? 3 : 9), .seconds = 1e9, .sample = sample_seconds};
+    static field f;
+    bool is_right = make(at, boxes, (size_t)(is_quick ? 16 : 256) << 20, q->kernel, &f);
+    *r = (scene_result){.triangles = count, .memory = (double)tribox_index_bytes(count) / (36.0 * (double)count)};
+    memcpy(r->name, at->name, sizeof r->name);
+    if (is_right) {
+        measure_builds(q, &f, how, r);
+        printout_table(&q->out, "%s: %zu triangles; us a box, by form of the answer, the least of %zu rounds", r->name, count,
+                       how.rounds);
+    }
+    for (int p = 0; is_right && p < BOX_SIZES; p++)
+        is_right = ask_size(q, &f, p, how, r);
+    if (is_right) {
+        tell_builds(q, &f, r);
+        printout_table(&q->out, "%s: lists of many boxes in one call, ns a box", r->name);
+    }
+    for (int p = 0; is_right && p < MANY_SIZES; p++)
+        is_right = ask_many(q, &f, p, is_quick ? 2000 : 20000, how);
+    release(&f);
+    return is_right;
+}
+
+static bool answer(asked *q)
+{
+    static scene_result results[SCENES_MAX];
+    const char *const *usual;
+    const size_t usual_count = q->meshes.count ? 0 : index_scene_usual(&usual);
+    const size_t terrain = (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_QUICK) ? 200000 : 10000000);
+    size_t count = 0;
+    for (size_t k = 0; k < usual_count && !asked_has(q, OPTION_QUICK); k++)
+        mesh_list_take(&q->meshes, usual[k]);
+    for (size_t k = 0; k < q->meshes.count + (terrain > 0); k++) {
+        index_scene at;
+        if (!(k < q->meshes.count ? index_scene_read(q->meshes.path[k], &at) : index_scene_terrain(terrain, q->seed, &at)))
+            return false;
+        const bool is_right = ask_scene(q, &at, &results[count++]);
+        index_scene_free(&at);
+        if (!is_right)
+            return false;
+    }
+    tell_goals(&q->out, results, count);
+    return true;
+}
+
+const bench_question question_index = {
+    .name = "index",
+    .asks = "What does an index gain over calls without one, by order of triangles, size of box and form of answer?",
+    .options = 1u << OPTION_TERRAIN | 1u << OPTION_BOXES | 1u << OPTION_KERNEL | 1u << OPTION_QUICK,
+    .takes_meshes = true,
+    .answer = answer};
