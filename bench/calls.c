@@ -207,8 +207,7 @@ static void tell(asked *q, const contestant *list, size_t of_each, size_t n)
         snprintf(full[c], sizeof full[c], "%s_full", kernel);
         snprintf(times[c], sizeof times[c], "%s_speed", kernel);
         printout_number(&q->out, kernel, 1, least);
-        printout_number(&q->out, full[c], 2,
-                        least / measure_spread(&q->taken, next_full(n, lanes_of(kernel)) * of_each + c).least);
+        printout_number(&q->out, full[c], 2, least / measure_spread(&q->taken, next_full(n, lanes_of(kernel)) * of_each + c).least);
         printout_number(&q->out, times[c], 2, paper / least);
     }
     printout_row(&q->out);

@@ -13,9 +13,9 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "common/grid_about.h"
 #include "console/pages.h"
 #include "questions.h"
+#include "read/mesh.h"
 
 enum { CHUNK = 8192, TILE = 128, TILE_OF_IDS = 64, WARM = 3 /* runs in memory that is not new */ };
 
@@ -401,6 +401,23 @@ static void tell(printout *out, const char *name, uint32_t resolution, const str
     printout_number(out, "ns_a_cell", 2, f->cells ? 1e9 * f->fresh / (double)f->cells : (double)NAN);
     printout_number(out, "MB", 1, f->megabytes);
     printout_row(out);
+}
+
+/* `resolution` cubes along the longest side of its box, so that what lies on the far side lies inside. */
+static tribox_grid grid_about(const mesh *m, uint32_t resolution)
+{
+    tribox_box box = {{0, 0, 0}, {1, 1, 1}};
+    double longest = 0;
+    tribox_grid grid;
+    mesh_bounds(m, &box);
+    for (int a = 0; a < 3; a++)
+        longest = fmax(longest, box.hi[a] - box.lo[a]);
+    for (int a = 0; a < 3; a++) {
+        grid.origin[a] = box.lo[a];
+        grid.cell[a] = longest / resolution * 1.00001;
+        grid.size[a] = (uint32_t)fmax(1, ceil((box.hi[a] - box.lo[a]) / grid.cell[a]));
+    }
+    return grid;
 }
 
 static bool ask_grid(asked *q, const char *name, const mesh *m, uint32_t resolution)

@@ -79,7 +79,7 @@ effort asked_effort(const asked *q, size_t rounds, double seconds, double sample
 bool asked_measure(asked *q, const char *name, const contestant *list, size_t count, const truth *from, effort how, size_t words);
 bool asked_verify(asked *q, const char *name, const contestant *list, size_t count, const truth *from);
 
-/* Zeros. Ends the program if there is no memory. */
+/* Zeros that were touched, from a cache line on. Ends the program if there is no memory. */
 void *asked_allocate(size_t count, size_t size);
 
 #ifdef __cplusplus

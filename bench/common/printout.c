@@ -1,14 +1,69 @@
-/* printout.c - prints what was measured, and on what. */
+/* printout.c - prints what was measured, and on what: asks Linux about the processor. */
 #include "printout.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
-#include "machine.h"
+#include "build.h"
+#include "commit.h"
 #include "paper/paper.h"
 
 enum { LINE = 512 };
+
+/* On what a figure was measured. */
+typedef struct machine {
+    char processor[128]; /* as the operating system names it */
+    bool is_virtual;     /* a hypervisor shows itself */
+    double load;         /* processes that wanted to run in the last minute; negative if unknown */
+    const char *compiler, *flags, *commit;
+} machine;
+
+/* The value of a "key : value" line, or NULL. */
+static const char *value_of(char *line, const char *key)
+{
+    char *const colon = strchr(line, ':');
+    if (!colon || strncmp(line, key, strlen(key)) != 0)
+        return NULL;
+    line[strcspn(line, "\n")] = 0;
+    return colon + 1 + strspn(colon + 1, " ");
+}
+
+/* Linux only; elsewhere nothing is found, and said. */
+static void read_processor(machine *m)
+{
+    char line[8192];
+    FILE *const file = fopen("/proc/cpuinfo", "r");
+    while (file && fgets(line, sizeof line, file)) {
+        const char *const name = value_of(line, "model name");
+        if (name)
+            snprintf(m->processor, sizeof m->processor, "%s", name);
+        const char *const features = value_of(line, "flags");
+        if (features && strstr(features, "hypervisor"))
+            m->is_virtual = true;
+    }
+    if (file)
+        fclose(file);
+}
+
+static double read_load(void)
+{
+    double load = -1;
+    FILE *const file = fopen("/proc/loadavg", "r");
+    if (file && fscanf(file, "%lf", &load) != 1)
+        load = -1;
+    if (file)
+        fclose(file);
+    return load;
+}
+
+static machine machine_here(void)
+{
+    machine m = {.processor = "unknown processor", .compiler = BENCH_COMPILER, .flags = BENCH_FLAGS, .commit = BENCH_COMMIT};
+    read_processor(&m);
+    m.load = read_load();
+    return m;
+}
 
 /* An absolute path says nothing on another machine: its last part stands for it. */
 static void command_line(int argc, char **argv, char line[LINE])
