@@ -43,13 +43,13 @@ typedef struct work {
     void *scratch;
     chunk *last;
     size_t in_last;
-    double listing; /* of `seconds`, for lists of triangles by tile */
-    uint64_t found; /* cells */
+    double listing;         /* of `seconds`, for lists of triangles by tile */
+    uint64_t found, bricks; /* cells and bricks that are set */
 } work;
 
 typedef struct found {
     double fresh, warm, listing, megabytes;
-    uint64_t cells, sum; /* 0 where it is not known */
+    uint64_t cells, bricks, sum; /* 0 where it is not known */
 } found;
 
 static double cpu_seconds(void)
@@ -139,25 +139,27 @@ static int keep(void *data, const uint32_t at[3], const uint64_t bits[8])
     brick *const b = &w->last->bricks[w->in_last++];
     memcpy(b->at, at, sizeof b->at);
     memcpy(b->bits, bits, sizeof b->bits);
+    w->bricks++;
     return 0;
 }
 
 static int look(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
-    (void)data, (void)at, (void)bits;
+    (void)at, (void)bits;
+    ((work *)data)->bricks++;
     return 0;
 }
 
 static int look_at_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
 {
-    (void)data, (void)at, (void)bits, (void)ids;
-    return 0;
+    (void)ids;
+    return look(data, at, bits);
 }
 
 static int look_at_lists(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t starts[513], const uint32_t *list)
 {
-    (void)data, (void)at, (void)bits, (void)starts, (void)list;
-    return 0;
+    (void)starts, (void)list;
+    return look(data, at, bits);
 }
 
 /* ---- the ways -------------------------------------------------------------------------------------------------------------- */
@@ -331,7 +333,7 @@ static bool find(const struct way *way, work *w, found *f)
     const double begin = cpu_seconds();
     if (!is_first || !way->run(w))
         return false;
-    *f = (found){.fresh = cpu_seconds() - begin, .listing = w->listing, .cells = w->found};
+    *f = (found){.fresh = cpu_seconds() - begin, .listing = w->listing, .cells = w->found, .bricks = w->bricks};
     f->megabytes = megabytes_of("VmHWM") - before;
     f->sum = way->run == run_kept ? sum_kept(w) : way->run == run_window ? sum_dense(w) : 0;
     f->warm = INFINITY;
@@ -374,7 +376,7 @@ static bool is_asked(const asked *q, size_t way, size_t all)
 /* Cells that are set are the same for all, and so are bricks. */
 static bool are_alike(const asked *q, size_t all, const found least[WAYS])
 {
-    uint64_t cells = 0, sum = 0;
+    uint64_t cells = 0, bricks = 0, sum = 0;
     bool is = true;
     for (size_t k = 0; k < WAYS; k++) {
         const bool is_inside = ways[k].needs & NEEDS_SOLID;
@@ -383,6 +385,8 @@ static bool are_alike(const asked *q, size_t all, const found least[WAYS])
         is = is && (is_inside || !cells || !least[k].cells || cells == least[k].cells);
         is = is && (!sum || !least[k].sum || sum == least[k].sum);
         cells = !is_inside && least[k].cells ? least[k].cells : cells;
+        is = is && (!bricks || !least[k].bricks || bricks == least[k].bricks);
+        bricks = least[k].bricks ? least[k].bricks : bricks;
         sum = least[k].sum ? least[k].sum : sum;
     }
     return is || message_failure("the ways differ") == EXIT_CODE_OK;
@@ -398,6 +402,7 @@ static void tell(printout *out, const char *name, uint32_t resolution, const str
     printout_number(out, "times_window's_ms", 2, window ? f->warm / window->warm : (double)NAN);
     printout_number(out, "ms_to_list_by_tile", 2, f->listing > 0 ? 1e3 * f->listing : (double)NAN);
     printout_number(out, "cells", 0, f->cells ? (double)f->cells : (double)NAN);
+    printout_data(out, "bricks", f->bricks ? (double)f->bricks : (double)NAN);
     printout_number(out, "ns_a_cell", 2, f->cells ? 1e9 * f->fresh / (double)f->cells : (double)NAN);
     printout_number(out, "MB", 1, f->megabytes);
     printout_row(out);
