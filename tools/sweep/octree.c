@@ -3,28 +3,20 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { CHILDREN = 8 };
 
 typedef struct node {
-    size_t cell[3];      /* of the 2^level cells along each axis */
+    tribox_box box;
     size_t first, count; /* its triangles, in the level's list */
 } node;
 
 /* The nodes of one level that have triangles. */
 typedef struct level {
-    unsigned depth;
     node *nodes;
-    size_t node_count, node_room;
-    size_t *list; /* indices of triangles */
-    size_t list_count, list_room;
+    uint32_t *list;
+    size_t node_count, list_count;
 } level;
-
-/* The bounding cube of the mesh. */
-typedef struct cube {
-    double corner[3], size;
-} cube;
 
 unsigned octree_depth_for(size_t triangles)
 {
@@ -34,45 +26,16 @@ unsigned octree_depth_for(size_t triangles)
     return depth;
 }
 
+static bool make_room(level *l, size_t nodes, size_t triangles)
+{
+    *l = (level){.nodes = malloc((nodes + 1) * sizeof *l->nodes), .list = malloc((triangles + 1) * sizeof *l->list)};
+    return l->nodes && l->list;
+}
+
 static void level_free(level *l)
 {
     free(l->nodes);
     free(l->list);
-    *l = (level){.nodes = NULL};
-}
-
-/* Room for one element more; false if memory fails. */
-static bool make_room(void **elements, size_t *room, size_t count, size_t size)
-{
-    if (count < *room)
-        return true;
-    const size_t larger = *room ? 2 * *room : 1024;
-    void *const moved = larger <= SIZE_MAX / size ? realloc(*elements, larger * size) : NULL;
-    if (!moved)
-        return false;
-    *elements = moved;
-    *room = larger;
-    return true;
-}
-
-static bool append_index(level *l, size_t index)
-{
-    void *list = l->list;
-    const bool is_room = make_room(&list, &l->list_room, l->list_count, sizeof *l->list);
-    l->list = list;
-    if (is_room)
-        l->list[l->list_count++] = index;
-    return is_room;
-}
-
-static bool append_node(level *l, const node *n)
-{
-    void *nodes = l->nodes;
-    const bool is_room = make_room(&nodes, &l->node_room, l->node_count, sizeof *l->nodes);
-    l->nodes = nodes;
-    if (is_room)
-        l->nodes[l->node_count++] = *n;
-    return is_room;
 }
 
 static bool is_finite(const tribox_soup *soup, size_t i)
@@ -83,79 +46,86 @@ static bool is_finite(const tribox_soup *soup, size_t i)
     return true;
 }
 
-/* The root: all finite triangles, and the cube about them. */
-static bool make_root(const tribox_soup *soup, level *root, cube *c)
+/* All finite triangles, and the cube about them. */
+static void fill_root(const tribox_soup *soup, level *root)
 {
     const float *const *const streams[3] = {soup->x, soup->y, soup->z};
-    double hi[3];
+    tribox_box all = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    double size = 0;
     for (size_t i = 0; i < soup->count; i++) {
-        if (!is_finite(soup, i))
-            continue;
-        for (int a = 0; a < 3; a++)
-            for (int j = 0; j < 3; j++) {
-                const double at = (double)streams[a][j][i];
-                const bool is_first = !root->list_count && !j;
-                c->corner[a] = is_first ? at : fmin(c->corner[a], at);
-                hi[a] = is_first ? at : fmax(hi[a], at);
-            }
-        if (!append_index(root, i))
+        for (int k = 0; is_finite(soup, i) && k < 9; k++) {
+            all.lo[k % 3] = fmin(all.lo[k % 3], (double)streams[k % 3][k / 3][i]);
+            all.hi[k % 3] = fmax(all.hi[k % 3], (double)streams[k % 3][k / 3][i]);
+        }
+        if (is_finite(soup, i))
+            root->list[root->list_count++] = (uint32_t)i;
+    }
+    for (int a = 0; a < 3; a++)
+        size = fmax(size, all.hi[a] - all.lo[a]);
+    for (int a = 0; a < 3; a++)
+        all.hi[a] = (float)(all.lo[a] + size);
+    root->nodes[0] = (node){all, 0, root->list_count};
+    root->node_count = root->list_count > 0;
+}
+
+/* A float, and the same for all nodes between the same planes: neighbours share their faces to the bit. */
+static void middle_of(const tribox_box *box, double middle[3])
+{
+    for (int a = 0; a < 3; a++)
+        middle[a] = (float)((box->lo[a] + box->hi[a]) / 2);
+}
+
+static tribox_box child_box(const tribox_box *box, size_t child)
+{
+    tribox_box own = *box;
+    double middle[3];
+    middle_of(box, middle);
+    for (int a = 0; a < 3; a++)
+        *(child >> a & 1 ? &own.lo[a] : &own.hi[a]) = middle[a];
+    return own;
+}
+
+/* Which children each triangle of each node overlaps, and how many they are. */
+static bool split_all(const tribox_soup *soup, const level *l, uint8_t *children, size_t *found)
+{
+    for (size_t n = 0; n < l->node_count; n++) {
+        const node *const at = &l->nodes[n];
+        tribox_report report;
+        double middle[3];
+        middle_of(&at->box, middle);
+        if (tribox_split(soup, l->list + at->first, at->count, &at->box, middle, NULL, children + at->first, &report))
             return false;
+        *found += report.overlapping;
     }
-    c->size = 0;
-    for (int a = 0; root->list_count && a < 3; a++)
-        c->size = fmax(c->size, hi[a] - c->corner[a]);
-    const node all = {.count = root->list_count};
-    return !root->list_count || append_node(root, &all);
+    return true;
 }
 
-/* The planes of a level are the same for all its nodes: neighbours share their faces to the bit. */
-static tribox_box child_box(const cube *c, unsigned depth, const node *parent, size_t child, size_t cell[3])
+/* The next level, of the children that have triangles, in its place. */
+static bool divide(const tribox_soup *soup, level *l)
 {
-    const double size = ldexp(c->size, -(int)depth);
-    tribox_box box;
-    for (size_t a = 0; a < 3; a++) {
-        cell[a] = 2 * parent->cell[a] + (child >> a & 1);
-        box.lo[a] = (float)(c->corner[a] + size * (double)cell[a]);
-        box.hi[a] = (float)(c->corner[a] + size * (double)(cell[a] + 1));
+    uint8_t *const children = malloc(l->list_count + 1);
+    size_t found = 0;
+    level next = {.nodes = NULL};
+    const bool is_done = children && split_all(soup, l, children, &found) &&
+                         make_room(&next, found < CHILDREN * l->node_count ? found : CHILDREN * l->node_count, found);
+    for (size_t k = 0; is_done && k < CHILDREN * l->node_count; k++) {
+        const node *const parent = &l->nodes[k / CHILDREN];
+        node *const own = &next.nodes[next.node_count];
+        *own = (node){child_box(&parent->box, k % CHILDREN), next.list_count, 0};
+        for (size_t i = parent->first; i < parent->first + parent->count; i++)
+            if (children[i] >> k % CHILDREN & 1)
+                next.list[next.list_count++] = l->list[i];
+        own->count = next.list_count - own->first;
+        next.node_count += own->count > 0;
     }
-    return box;
-}
-
-/* Appends the child of a node to the next level, if a triangle overlaps it. scratch: the node's triangles as a job. */
-static bool divide_into(const level *from, const node *parent, size_t child, const timing_job *scratch, const cube *c,
-                        uint64_t *mask, level *to)
-{
-    node n = {.first = to->list_count};
-    const tribox_box box = child_box(c, to->depth, parent, child, n.cell);
-    if (tribox_overlap(&scratch->soup, &box, NULL, mask, NULL))
-        return false;
-    for (size_t i = 0; i < parent->count; i++)
-        if (mask[i / 64] >> i % 64 & 1 && !append_index(to, from->list[parent->first + i]))
-            return false;
-    n.count = to->list_count - n.first;
-    return !n.count || append_node(to, &n);
-}
-
-static bool divide(const tribox_soup *soup, const cube *c, const level *from, level *to)
-{
-    uint64_t *const mask = malloc((tribox_mask_words(soup->count) + 1) * sizeof *mask);
-    timing_work scratch;
-    bool is_done = timing_work_make(&scratch, 1, timing_work_room(soup->count)) && mask;
-    to->depth = from->depth + 1;
-    for (size_t n = 0; is_done && n < from->node_count; n++) {
-        const node *const parent = &from->nodes[n];
-        scratch.used = 0;
-        const timing_job job = timing_work_copy(&scratch, soup, from->list + parent->first, parent->count);
-        for (size_t child = 0; is_done && child < CHILDREN; child++)
-            is_done = divide_into(from, parent, child, &job, c, mask, to);
-    }
-    timing_work_free(&scratch);
-    free(mask);
+    free(children);
+    level_free(l);
+    *l = next;
     return is_done;
 }
 
 /* The last division, as work: every step-th node against its eight children. */
-static bool make_work(const tribox_soup *soup, const cube *c, const level *last, size_t pairs_most, timing_work *work)
+static bool make_work(const tribox_soup *soup, const level *last, size_t pairs_most, timing_work *work)
 {
     const size_t pairs = CHILDREN * last->list_count, step = pairs / pairs_most + 1;
     size_t room = 0, nodes = 0;
@@ -167,8 +137,7 @@ static bool make_work(const tribox_soup *soup, const cube *c, const level *last,
         const node *const parent = &last->nodes[n];
         const timing_job job = timing_work_copy(work, soup, last->list + parent->first, parent->count);
         for (size_t child = 0; child < CHILDREN; child++) {
-            size_t cell[3];
-            const tribox_box box = child_box(c, last->depth + 1, parent, child, cell);
+            const tribox_box box = child_box(&parent->box, child);
             timing_work_add(work, &job, &box);
         }
     }
@@ -177,17 +146,14 @@ static bool make_work(const tribox_soup *soup, const cube *c, const level *last,
 
 const char *octree_work(const tribox_soup *soup, unsigned depth, size_t pairs_most, timing_work *work)
 {
-    level at = {.depth = 0}, next = {.depth = 0};
-    cube c;
-    bool is_done = make_root(soup, &at, &c);
+    level at;
+    bool is_done = make_room(&at, 1, soup->count);
+    if (is_done)
+        fill_root(soup, &at);
     const bool is_empty = is_done && !at.node_count;
-    while (is_done && at.depth + 1 < depth) {
-        is_done = divide(soup, &c, &at, &next);
-        level_free(&at);
-        at = next;
-        next = (level){.depth = 0};
-    }
-    is_done = is_done && make_work(soup, &c, &at, pairs_most, work);
+    for (unsigned divided = 1; is_done && divided < depth; divided++)
+        is_done = divide(soup, &at);
+    is_done = is_done && make_work(soup, &at, pairs_most, work);
     level_free(&at);
     return is_empty ? "no triangle with finite coordinates" : is_done ? NULL : "out of memory for the octree";
 }

@@ -46,7 +46,7 @@ timing_job timing_work_soup(timing_work *work, size_t count)
     return job;
 }
 
-timing_job timing_work_copy(timing_work *work, const tribox_soup *soup, const size_t *which, size_t count)
+timing_job timing_work_copy(timing_work *work, const tribox_soup *soup, const uint32_t *which, size_t count)
 {
     const float *const *const streams[3] = {soup->x, soup->y, soup->z};
     float(*const triangles)[3][3] = work->triangles + work->used;

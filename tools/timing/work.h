@@ -47,7 +47,7 @@ bool timing_work_make(timing_work *work, size_t jobs, size_t room);
 timing_job timing_work_soup(timing_work *work, size_t count);
 
 /* The same for the triangles `which` of another soup, or for its first ones if that is NULL. */
-timing_job timing_work_copy(timing_work *work, const tribox_soup *soup, const size_t *which, size_t count);
+timing_job timing_work_copy(timing_work *work, const tribox_soup *soup, const uint32_t *which, size_t count);
 
 /* Adds a job, whose soup the work holds, against a box. There has to be room for it. */
 void timing_work_add(timing_work *work, const timing_job *job, const tribox_box *box);
