@@ -135,7 +135,7 @@ static void make_forms(size_t index, uint64_t seed, bool is_shared, forms *f)
             f->narrow[corner] = (uint16_t)f->wide[corner];
         memcpy(work->triangles[corner / 3][corner % 3], f->positions + 3 * f->wide[corner], 3 * sizeof(float));
     }
-    *work = (timing_work){.jobs = work->jobs, .streams = work->streams, .triangles = work->triangles};
+    *work = (timing_work){.jobs = work->jobs, .memory = work->memory, .streams = work->streams, .triangles = work->triangles};
     const timing_job job = timing_work_soup(work, count);
     timing_work_add(work, &job, &box);
     f->flat = (tribox_mesh){.positions = work->triangles, .vertices = 3 * count, .count = count};

@@ -1,5 +1,5 @@
 /* cells.c - draws cells that a mesh overlaps. */
-#include "cells.h"
+#include "sweep_work.h"
 
 #include <math.h>
 #include <string.h>

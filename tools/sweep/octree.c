@@ -1,5 +1,5 @@
 /* octree.c - divides a mesh into an octree, and asks of its last division what overlaps. */
-#include "octree.h"
+#include "sweep_work.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,8 +4,6 @@
 #include <stdio.h>
 
 #include "console/message.h"
-#include "cells.h"
-#include "octree.h"
 
 /* Enough for the clock and for the caches; more only takes longer. */
 enum { PAIRS = 20000, CELLS_LEAST = 2, CELLS_MOST = 64 };
