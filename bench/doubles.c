@@ -12,7 +12,6 @@
 #include "cgal_peer.h"
 #include "common/draw.h"
 #include "common/loads.h"
-#include "common/place.h"
 #include "questions.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------------------- */

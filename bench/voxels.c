@@ -1,6 +1,6 @@
 /*
  * voxels.c - how fast are soups voxelized, against the paper's test for each cell, against Schwarz and Seidel (voxel_rivals.h), and
- * against what reading the soup or writing the answer takes (voxel_limits.h)?
+ * against what reading the soup or writing the answer takes (voxel_limits.c)?
  *
  * EXACT has to be the same on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. The bits are cleared
  * before each pass, outside the time. A rival that takes too long for one pass is timed once, and if even that would take minutes,
@@ -16,7 +16,6 @@
 #include "read/mesh.h"
 #include "timing/work.h"
 #include "voxelize/layers.h"
-#include "voxels/voxel_limits.h"
 #include "voxels/voxel_rivals.h"
 
 enum { EXACT, CONSERVATIVE, FAST, TWO_THREADS, RIVAL_SEIDEL, RIVAL_CELLS, READING, WRITING, TIMED };

@@ -2,6 +2,9 @@
 #ifndef BENCH_DRAW_H
 #define BENCH_DRAW_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "paper/random.h"
 
 /* triangle[j][a] is axis a of vertex j. */
@@ -17,5 +20,11 @@ draw_triangle draw_touching, draw_touching_ulp, draw_needle, draw_cap;
 
 /* draw_thin.c: through the box and past it. */
 draw_triangle draw_thin;
+
+/*
+ * draw.c: sorts triangles by the place of their centroids, as a spatial tree would leave them: in Morton order of 1024 x 1024 x 1024
+ * cells of the cube [-reach, reach]^3, in which they lie. False if memory fails.
+ */
+bool place_sort(triangle *triangles, size_t count, float reach);
 
 #endif

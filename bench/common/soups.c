@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "draw.h"
-#include "place.h"
 
 static const tribox_box unit_box = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}};
 static const tribox_box offset_box = {{999999.5f, 999999.5f, 999999.5f}, {1000000.5f, 1000000.5f, 1000000.5f}};

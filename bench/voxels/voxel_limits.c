@@ -1,5 +1,5 @@
 /* voxel_limits.c - finds the words that each triangle sets by asking the library about it alone, and writes them. */
-#include "voxel_limits.h"
+#include "voxel_rivals.h"
 
 #include <math.h>
 #include <stdlib.h>

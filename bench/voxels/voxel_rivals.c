@@ -2,7 +2,6 @@
 #include "voxel_rivals.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 #include "paper/paper.h"
 #include "paper/paper_axes.h"
