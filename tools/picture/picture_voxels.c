@@ -1,6 +1,6 @@
 /* picture_voxels.c - fills the parallelograms that faces are to the viewer and to the sun, and shades what the viewer sees. */
 #define _POSIX_C_SOURCE 200809L
-#include "picture_voxels.h"
+#include "preview.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -364,9 +364,12 @@ static void place_all(drawing *d)
 
 static size_t samples_of(const picture_look *look) { return (size_t)SAMPLES * look->size[0] * look->size[1]; }
 
-uint64_t picture_memory(const picture_look *look) { return sizeof(uint64_t) * (samples_of(look) + MAP_SIDE * MAP_SIDE); }
+uint64_t preview_memory(const picture_look *look)
+{
+    return sizeof(uint64_t) * (samples_of(look) + MAP_SIDE * MAP_SIDE) + (uint64_t)3 * look->size[0] * look->size[1];
+}
 
-bool picture_draw(const voxels *v, const picture_look *look, unsigned threads, unsigned char *pixels, progress *bar)
+bool preview_pixels(const voxels *v, const picture_look *look, unsigned threads, unsigned char *pixels, progress *bar)
 {
     drawing d = {.v = v, .pixels = pixels, .look = look, .bar = bar};
     d.eye = (view){.width = FINE * (int)look->size[0], .height = FINE * (int)look->size[1]};

@@ -48,18 +48,14 @@ int preview_read_size(const char *text, picture_look *look)
     return code ? code : numbers_read_whole(cross + 1, "--picture-size, its height", PREVIEW_SIDE_MAX, &look->size[1]);
 }
 
-static size_t pixel_bytes(const picture_look *look) { return (size_t)3 * look->size[0] * look->size[1]; }
-
-uint64_t preview_memory(const picture_look *look) { return pixel_bytes(look) + picture_memory(look); }
-
 int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads, bool wants_progress)
 {
     if (!out->stream)
         return EXIT_CODE_OK;
     interrupt_advise("the cells are written, the picture is not; run it again");
-    unsigned char *pixels = malloc(pixel_bytes(look));
+    unsigned char *pixels = malloc((size_t)3 * look->size[0] * look->size[1]);
     progress bar = progress_start("drawing", wants_progress);
-    const bool is_drawn = pixels && picture_draw(v, look, threads, pixels, &bar);
+    const bool is_drawn = pixels && preview_pixels(v, look, threads, pixels, &bar);
     progress_end(&bar);
     int code = is_drawn ? EXIT_CODE_OK : message_failure("out of memory for the preview");
     if (!code && !picture_png_write(out->stream, pixels, look->size[0], look->size[1]))
