@@ -1,4 +1,4 @@
-/* test_gather.c - triangles in any order as streams: every range, and none beside it; and an order, which is the same everywhere. */
+/* test_gather.c - triangles in any order as streams: every range, and none beside it; an order, which is the same everywhere. */
 #include "common/harness.h"
 #include "order_kinds.h"
 

@@ -1,7 +1,7 @@
 /*
  * test_classify.c - inside are the triangles whose nine coordinates are within the bounds: exactly, at every accuracy, for each set
- * of axes and kernel. The mask is that of tribox_overlap and them: FAST may miss there what lies inside. And the first triangle that
- * overlaps, and the first that does not, wherever it stands; the search ends there.
+ * of axes and kernel. The mask is that of tribox_overlap and them: FAST may miss there what lies inside. And the first triangle
+ * that overlaps, and the first that does not, wherever it stands; the search ends there.
  */
 #include <float.h>
 #include <math.h>

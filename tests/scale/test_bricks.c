@@ -1,5 +1,5 @@
 /*
- * test_bricks.c - bricks have the bits of the dense grid, each once and in order; with ids, in each cell the id of the dense grid or
+ * test_bricks.c - bricks have the bits of the dense grid, each once and in order; with ids, in each cell that of the dense grid or
  * UINT32_MAX; with lists, the triangles that tiles of one cell list. Whole and in shares, of any tiles, with lists in any order,
  * where bricks are crowded, in any environment, and up to where the sink ends the call.
  */
