@@ -30,8 +30,8 @@ static const char help[] =
     "                          middles: only cells whose middle is inside, by parity\n"
     "      --labels            with --fill: cells of the surface are 1, those inside 2\n"
     "      --inside-only       with --fill: only the cells inside, not those of the surface\n"
-    "      --colours           of MESH (not STL, .f32); for .vox .glb .ply .obj .vdb .npz, picture\n"
-    "      --ids               the lowest triangle of each cell; for .npz .vdb .npy .nrrd .vti .raw\n"
+    "      --colours           of MESH (not STL, .f32), in the file and the picture\n"
+    "      --ids               the lowest triangle of each cell\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
     "      --shard I/N         part I (1 to N) of N, of about equal work, as a .npz for 'tribox merge'\n" OPTIONS_TEST_HELP
         OPTIONS_HELP_HELP "\n"

@@ -475,7 +475,7 @@ class Refusals(Colours):
         self.refuse(2, "--count only prints: leave out --colours", out=("--count",))
         self.refuse(2, "--colours needs all cells at once: leave out --shard", "--shard", "1/2", out=("-o", "no.part.npz"))
         for ending in ("npy", "vti", "nrrd", "binvox", "raw"):
-            self.refuse(2, r"--colours: \.%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz" % ending,
+            self.refuse(2, r"--colours: \.%s holds none; write .npz, .vdb, .vox, .ply, .obj or .glb" % ending,
                         out=("-o", "no." + ending))
         self.succeed("partition", self.mesh, *GRID, "-q", "-o", self.path("tiles"))
         self.refuse(2, "is a partition, which lacks the colours", mesh=self.path("tiles"))

@@ -267,7 +267,7 @@ class Refused(Filled):
                 ("--fill middles needs the mesh itself", (self.path("tiles"), "--fill", "middles", "-o", "x.npz"))):
             self.fail_with(2, pattern + ".*see 'tribox voxelize --help'", "voxelize", *arguments)
         for word, ending in (("binvox", ".binvox"), ("ply", ".ply"), ("obj", ".obj"), ("glb", ".glb"), ("cells", ".npy")):
-            self.fail_with(2, "--labels: %s holds no labels; write npz, vdb, npy, vti, nrrd, vox or raw, or give --inside-only" % word,
+            self.fail_with(2, "--labels: %s holds no labels; write npz, vdb, npy, vti, nrrd, raw or vox, or give --inside-only" % word,
                            "voxelize", *fill, "--labels", "--out-format", word, "-o", "x" + ending)
         self.assertEqual(sorted(os.listdir(self.folder)), there)
 

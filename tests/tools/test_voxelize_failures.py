@@ -77,7 +77,7 @@ class WrongCommandLine(Failures):
         for value in ("640", "x", "0x8", "8x0", "8x4097", "8x6x4", "8 x 6", "123456789x8"):
             self.wrong("--picture-size.*: '.*' is no", self.mesh, "--picture-size", value)
         for name in ("x", "x.txt", ".npy", "x.NPY", ""):
-            self.wrong("-o: '%s' does not end in .npz, .vdb, .npy, .vti, .nrrd, .binvox, .vox, .raw, .ply, .obj or .glb" % name, self.mesh, "--cell", "1", "-o", name)
+            self.wrong("-o: '%s' does not end in .npz, .vdb, .npy, .vti, .nrrd, .raw, .binvox, .vox, .ply, .obj or .glb" % name, self.mesh, "--cell", "1", "-o", name)
         self.refuse(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give SX,SY,SZ$", "voxelize", self.mesh, "--cell", "1,2")
         self.refuse(2, r"^tribox voxelize: --origin: 'a' \(number 2 of 3\) is not a number", "voxelize", "--origin", "1,a,3")
 

@@ -171,10 +171,9 @@ static int check_ids(const merge_request *r, const part *parts)
         return EXIT_CODE_OK;
     if (r->result.options.is_mask)
         return message_failure("%s: has ids, a grid of whole numbers: leave out --vdb-grid", parts[0].path);
-    return volume_takes_ids(format)
-               ? EXIT_CODE_OK
-               : message_failure("%s: has ids, and .%s holds none: write " VOLUME_WITH_IDS ", or run the shards without --ids",
-                                 parts[0].path, format->word);
+    return volume_takes_ids(format) ? EXIT_CODE_OK
+                                    : message_failure("%s: has ids, and .%s holds none: write %s, or run the shards without --ids",
+                                                      parts[0].path, format->word, volume_endings(volume_takes_ids).text);
 }
 
 static int merge(const merge_request *r, part *parts, size_t count)

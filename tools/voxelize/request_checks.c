@@ -76,12 +76,13 @@ static int check_count(voxelize_request *r, const options_found *found, const op
 static int check_format(const voxelize_request *r)
 {
     const volume_format *const format = r->result.format;
-    if (r->cells == FILL_CELLS_LABELLED && !format->takes_labels)
-        return message_usage("--labels: %s holds no labels; write " VOLUME_LABELLED ", or give --inside-only", format->word);
-    if (r->has_colours && format->colours == VOLUME_NO_COLOURS)
-        return message_usage("--colours: .%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz", format->word);
+    if (r->cells == FILL_CELLS_LABELLED && !volume_takes_labels(format))
+        return message_usage("--labels: %s holds no labels; write %s, or give --inside-only", format->word,
+                             volume_words(volume_takes_labels).text);
+    if (r->has_colours && !volume_takes_colours(format))
+        return message_usage("--colours: .%s holds none; write %s", format->word, volume_endings(volume_takes_colours).text);
     if (r->result.options.has_ids && !volume_takes_ids(format))
-        return message_usage("--ids: .%s holds none; write " VOLUME_WITH_IDS, format->word);
+        return message_usage("--ids: .%s holds none; write %s", format->word, volume_endings(volume_takes_ids).text);
     return EXIT_CODE_OK;
 }
 

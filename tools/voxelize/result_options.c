@@ -76,7 +76,7 @@ const char *result_up(const result_request *r)
 static int check_stdout(const result_request *r)
 {
     if (!r->format)
-        return message_usage("standard output needs its format, --out-format WORD: one of " VOLUME_WORDS);
+        return message_usage("standard output needs its format, --out-format WORD: one of %s", volume_words(NULL).text);
     if (r->wants_json)
         return message_usage("--json and -o - exclude each other, since both go to standard output");
     if (terminal_is(stdout))

@@ -29,12 +29,8 @@ enum {
     [RESULT_QUIET] = {"quiet", 'q', false}
 
 #define RESULT_HELP \
-    "  -o, --out FILE          sparse: .npz (bricks, NumPy), .vdb (OpenVDB); dense: .npy (NumPy), .vti\n" \
-    "                          (ParaView), .nrrd (3D Slicer), .binvox, .vox (MagicaVoxel), .raw (bits);\n" \
-    "                          the surface of the cells as a mesh: .ply, .obj, .glb (glTF).\n" \
-    "                          - is standard output, which then holds nothing else\n" \
-    "      --out-format WORD   " VOLUME_WORDS ":\n" \
-    "                          whatever the name of FILE; -o - needs it. cells: their coordinates as .npy\n" \
+    "  -o, --out FILE          - is standard output, and holds nothing else. By the ending of FILE:\n            " VOLUME_HELP \
+    "      --out-format WORD   such an ending without its dot, or cells: for other names, and for -o -\n" \
     "      --deflate           compress the .npz, which takes longer\n" \
     "      --vdb-grid WORD     .vdb: bool (default), or mask: smaller, but not every program reads it\n" \
     "  -p, --preview FILE.png  draw a picture of the cells\n" \

@@ -7,62 +7,42 @@
 #include "console/decimal.h"
 #include "console/message.h"
 
-/* Of two with one ending the first is the one that the ending stands for. */
-static const volume_format formats[] = {
-    {.word = "npz",
-     .colours = VOLUME_ANY_COLOURS,
-     .ending = ".npz",
-     .check_grid = bricks_check_npz,
-     .bricks = &bricks_npz,
-     .has_place = true,
-     .takes_labels = true},
-    {.word = "vdb",
-     .colours = VOLUME_ANY_COLOURS,
-     .ending = ".vdb",
-     .begin = bricks_begin_vdb,
-     .check_grid = bricks_check_vdb,
-     .bricks = &bricks_vdb,
-     .has_place = true,
-     .takes_labels = true},
-    {.word = "npy", .ending = ".npy", .frame = &volume_npy, .takes_labels = true},
-    {.word = "cells", .ending = ".npy", .bricks = &bricks_cells},
-    {.word = "vti", .ending = ".vti", .frame = &volume_vti, .has_place = true, .takes_labels = true},
-    {.word = "nrrd", .ending = ".nrrd", .frame = &volume_nrrd, .has_place = true, .takes_labels = true},
-    {.word = "binvox", .ending = ".binvox", .check_grid = volume_check_binvox, .write = volume_write_binvox, .has_place = true},
-    {.word = "vox",
-     .colours = VOLUME_PALETTE,
-     .ending = ".vox",
-     .check_grid = volume_check_vox,
-     .write = volume_write_vox,
-     .takes_labels = true},
-    {.word = "ply",
-     .colours = VOLUME_ANY_COLOURS,
-     .ending = ".ply",
-     .check_grid = bricks_check_shell,
-     .bricks = &bricks_ply,
-     .has_place = true},
-    {.word = "obj",
-     .colours = VOLUME_ANY_COLOURS,
-     .ending = ".obj",
-     .check_grid = bricks_check_shell,
-     .bricks = &bricks_obj,
-     .has_place = true},
-    {.word = "glb",
-     .colours = VOLUME_ANY_COLOURS,
-     .ending = ".glb",
-     .check_grid = bricks_check_glb,
-     .bricks = &bricks_glb,
-     .has_place = true},
-    {.word = "raw", .ending = ".raw", .frame = &volume_raw, .takes_labels = true}};
+#define FORMAT(name, end, about, next, ...) {.word = name, .ending = end, __VA_ARGS__},
+static const volume_format formats[] = {VOLUME_FORMATS(FORMAT)};
 
 enum { FORMATS = sizeof formats / sizeof formats[0] };
+
+/* Each ending once. */
+static bool is_first_of_ending(const volume_format *format)
+{
+    return format == formats || strcmp(format->ending, format[-1].ending);
+}
+
+static volume_list list_formats(bool (*takes)(const volume_format *format), bool are_endings)
+{
+    const char *found[FORMATS];
+    size_t count = 0;
+    volume_list list = {.text = ""};
+    for (const volume_format *f = formats; f < formats + FORMATS; f++)
+        if ((!takes || takes(f)) && (!are_endings || is_first_of_ending(f)))
+            found[count++] = are_endings ? f->ending : f->word;
+    for (size_t i = 0, at = 0; i < count && at < sizeof list.text; i++) {
+        const char *const before = !i ? "" : i + 1 < count ? ", " : " or ";
+        at += (size_t)snprintf(list.text + at, sizeof list.text - at, "%s%s", before, found[i]);
+    }
+    return list;
+}
+
+volume_list volume_words(bool (*takes)(const volume_format *format)) { return list_formats(takes, false); }
+
+volume_list volume_endings(bool (*takes)(const volume_format *format)) { return list_formats(takes, true); }
 
 const volume_format *volume_format_named(const char *word)
 {
     for (size_t i = 0; i < FORMATS; i++)
         if (!strcmp(word, formats[i].word))
             return &formats[i];
-    message_usage("--out-format: '%s' is none of " VOLUME_WORDS, word);
+    message_usage("--out-format: '%s' is none of %s", word, volume_words(NULL).text);
     return NULL;
 }
 
@@ -74,11 +54,15 @@ const volume_format *volume_format_of(const char *path)
         if (length > size && !strcmp(path + length - size, formats[i].ending))
             return &formats[i];
     }
-    message_usage("-o: '%s' does not end in " VOLUME_ENDINGS, path);
+    message_usage("-o: '%s' does not end in %s", path, volume_endings(NULL).text);
     return NULL;
 }
 
 bool volume_takes_ids(const volume_format *format) { return format->frame || (format->bricks && format->takes_labels); }
+
+bool volume_takes_labels(const volume_format *format) { return format->takes_labels; }
+
+bool volume_takes_colours(const volume_format *format) { return format->colours != VOLUME_NO_COLOURS; }
 
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v)
 {

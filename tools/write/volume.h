@@ -49,18 +49,52 @@ typedef struct volume_format {
     bool takes_labels; /* it can tell cells of the surface from those inside */
 } volume_format;
 
-/* For the help text and for messages. */
-#define VOLUME_WORDS "npz, vdb, cells, npy, vti, nrrd, binvox, vox, raw, ply, obj, glb"
-#define VOLUME_ENDINGS ".npz, .vdb, .npy, .vti, .nrrd, .binvox, .vox, .raw, .ply, .obj or .glb"
-#define VOLUME_LABELLED "npz, vdb, npy, vti, nrrd, vox or raw"
-#define VOLUME_WITH_IDS ".npz, .vdb, .npy, .vti, .nrrd or .raw"
+/*
+ * Every format, once: its word, its ending, what the help says of it and how that goes on, and the rest of its row. Of two with one
+ * ending the first is the one that the ending stands for.
+ */
+#define VOLUME_FORMATS(ROW) \
+    ROW("npz", ".npz", " (NumPy, bricks; colours, labels, ids)", ", ", .check_grid = bricks_check_npz, .bricks = &bricks_npz, \
+        .colours = VOLUME_ANY_COLOURS, .has_place = true, .takes_labels = true) \
+    ROW("vdb", ".vdb", " (OpenVDB; the same)", ",\n            ", .begin = bricks_begin_vdb, .check_grid = bricks_check_vdb, \
+        .bricks = &bricks_vdb, .colours = VOLUME_ANY_COLOURS, .has_place = true, .takes_labels = true) \
+    ROW("npy", ".npy", " (NumPy; labels, ids)", ", ", .frame = &volume_npy, .takes_labels = true) \
+    ROW("cells", ".npy", " of coordinates by --out-format cells", ",\n            ", .bricks = &bricks_cells) \
+    ROW("vti", ".vti", " (ParaView)", ", ", .frame = &volume_vti, .has_place = true, .takes_labels = true) \
+    ROW("nrrd", ".nrrd", " (3D Slicer)", ", ", .frame = &volume_nrrd, .has_place = true, .takes_labels = true) \
+    ROW("raw", ".raw", " (bits; all three with labels, ids)", ", ", .frame = &volume_raw, .takes_labels = true) \
+    ROW("binvox", ".binvox", "", ",\n            ", .check_grid = volume_check_binvox, .write = volume_write_binvox, \
+        .has_place = true) \
+    ROW("vox", ".vox", " (MagicaVoxel; colours, labels)", ", ", .check_grid = volume_check_vox, .write = volume_write_vox, \
+        .colours = VOLUME_PALETTE, .takes_labels = true) \
+    ROW("ply", ".ply", "", ", ", .check_grid = bricks_check_shell, .bricks = &bricks_ply, .colours = VOLUME_ANY_COLOURS, \
+        .has_place = true) \
+    ROW("obj", ".obj", "", " and ", .check_grid = bricks_check_shell, .bricks = &bricks_obj, .colours = VOLUME_ANY_COLOURS, \
+        .has_place = true) \
+    ROW("glb", ".glb", " (faces of cells; colours)", "\n", .check_grid = bricks_check_glb, .bricks = &bricks_glb, \
+        .colours = VOLUME_ANY_COLOURS, .has_place = true)
+
+/* Lines of help. */
+#define VOLUME_HELP_ROW(word, ending, about, next, ...) ending about next
+#define VOLUME_HELP VOLUME_FORMATS(VOLUME_HELP_ROW)
+
+/* A list of formats for messages: "npz, vdb or raw". */
+typedef struct volume_list {
+    char text[128];
+} volume_list;
+
+/* The words of those that are taken, or their endings; of all where takes is NULL. */
+volume_list volume_words(bool (*takes)(const volume_format *format));
+volume_list volume_endings(bool (*takes)(const volume_format *format));
 
 /* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);
 const volume_format *volume_format_named(const char *word);
 
-/* Whether it has a place for the id of each cell. */
+/* Whether it has a place for the id of each cell, for labels, and for colours. */
 bool volume_takes_ids(const volume_format *format);
+bool volume_takes_labels(const volume_format *format);
+bool volume_takes_colours(const volume_format *format);
 
 /* Says where the cells are, if they are shifted and the format does not. NULL: nothing is written. */
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v);
