@@ -243,6 +243,13 @@ class Shards(support.TestCase):
                         self.rewritten(path, at=((count, 3), b"".join(struct.pack("<3I", *at) for at in other_places)),
                                        bits=((count, 8), b"".join(struct.pack("<8Q", *words) for words in other_bits))))
 
+    def test_brick_of_another_part(self):
+        first, second = self.parts(2)
+        places, _ = self.arrays(second)
+        strange = ((len(places), 3), b"".join(struct.pack("<3I", *at) for at in [(0, 0, 0), *places[1:]]))
+        self.refuse("rewritten.npz: damaged: it has bricks outside its tiles; run shard 2 of 2", first,
+                    self.rewritten(second, at=strange))
+
     def test_arrays_that_do_not_fit(self):
         path = self.part(1, 1, "--ids")[0]
         with zipfile.ZipFile(path) as file:

@@ -270,7 +270,7 @@ static const char *check_brick(const part_header *h, const part_brick *b, place 
 typedef struct reading {
     part *p;
     place here;
-    uint64_t left, ids_left;
+    uint64_t left;
     zip_reader from[NPZ_ARRAYS];
     unsigned char at[BLOCK][12], bits[BLOCK][64];
     part_brick bricks[BLOCK];
@@ -294,7 +294,6 @@ static bool read_ids(reading *r, uint64_t count)
         return false;
     for (uint64_t n = 0; n < count; n++)
         r->ids[n] = little_get32((const unsigned char *)&r->ids[n]);
-    r->ids_left -= count;
     return true;
 }
 
@@ -309,7 +308,7 @@ static int take_block(reading *r, size_t count, part_take *take, void *data)
         r->bricks[i] = brick_of(r->at[i], r->bits[i]);
         cells += r->bricks[i].cells;
     }
-    if (has_ids && (cells > r->ids_left || !read_ids(r, cells)))
+    if (has_ids && !read_ids(r, cells))
         return refuse(r->p, "its ids are not those of its cells");
     r->p->cells += cells;
     r->left -= count;
@@ -338,8 +337,7 @@ static int read_bricks(reading *r, FILE *file, part_take *take, void *data)
         code = take_block(r, r->left < BLOCK ? (size_t)r->left : BLOCK, take, data);
     for (int a = 0; a < arrays && !code; a++)
         if (!zip_reader_is_whole(&r->from[a]))
-            code = refuse(r->p, a == NPZ_IDS && r->ids_left ? "its ids are not those of its cells"
-                                                            : "its checksum does not match its content");
+            code = refuse(r->p, r->from[a].left ? "its ids are not those of its cells" : "its checksum does not match its content");
     return code;
 }
 
@@ -352,7 +350,6 @@ int part_read(part *p, part_take *take, void *data)
     if (r) {
         r->p = p;
         r->left = p->bricks;
-        r->ids_left = p->ids;
         p->cells = 0;
         setvbuf(file, NULL, _IONBF, 0);
         code = read_bricks(r, file, take, data);
