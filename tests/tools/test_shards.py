@@ -130,7 +130,7 @@ class Shards(support.TestCase):
         self.refuse("they differ in the grid", *parts[:2], self.part(3, 3, name="q", grid=("--cell", "0.3"))[0])
         self.refuse("they differ in the accuracy", *parts[:2], self.part(3, 3, "--accuracy", "fast", name="q")[0])
         self.refuse("they differ in the choice of axes", *parts[:2], self.part(3, 3, "--axes", "box", name="q")[0])
-        other = self.write("other.ply", meshes.ply_binary(meshes.lattice_triangles(60, seed=7)))
+        other = self.write("other.ply", meshes.ply_binary(meshes.lattice_triangles(12, seed=7)))
         self.refuse("they differ in the mesh", *parts[:2], self.part(3, 3, mesh=other, name="q")[0])
 
     def rewritten(self, path, **arrays):
