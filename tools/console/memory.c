@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pages.h"
+
 bool memory_read(const char *text, uint64_t *bytes)
 {
     static const char units[] = "KMGT";
@@ -41,5 +43,23 @@ void *memory_grow(void *list, size_t needed, size_t *room, size_t size)
     void *const larger = wanted <= SIZE_MAX / size ? realloc(list, wanted * size) : NULL;
     if (larger)
         *room = wanted;
+    return larger;
+}
+
+/* From a few small pages to a large one, and then twice as many. */
+void *memory_grow_pages(void *list, size_t needed, size_t *room, size_t size)
+{
+    enum { SMALL = 1 << 16, LARGE = 1 << 21 };
+    if (list && needed <= *room)
+        return list;
+    const size_t step = !*room ? SMALL / size : *room < LARGE / size ? LARGE / size : 2 * *room;
+    const size_t wanted = needed > step ? needed : step;
+    void *const larger = wanted <= SIZE_MAX / size ? pages_take(wanted * size) : NULL;
+    if (!larger)
+        return NULL;
+    if (list)
+        memcpy(larger, list, *room * size);
+    pages_free(list, *room * size);
+    *room = wanted;
     return larger;
 }

@@ -21,4 +21,7 @@ const char *memory_text(uint64_t bytes, char text[16]);
  */
 void *memory_grow(void *list, size_t needed, size_t *room, size_t size);
 
+/* The same of a list in rooms of pages.h, for lists that grow large: to be freed there, *room times size bytes. */
+void *memory_grow_pages(void *list, size_t needed, size_t *room, size_t size);
+
 #endif

@@ -9,6 +9,7 @@
 #include "console/crew.h"
 #include "console/memory.h"
 #include "console/message.h"
+#include "console/pages.h"
 #include "tile_set.h"
 #include "write/voxels.h"
 
@@ -32,7 +33,7 @@ static inline size_t kept_bricks_size(const kept_bricks *kept)
 
 static bool keep_ids(kept_bricks *k, const uint32_t *ids, size_t cells)
 {
-    uint32_t *const grown = memory_grow(k->ids, k->ids_count + cells, &k->ids_room, sizeof *ids);
+    uint32_t *const grown = memory_grow_pages(k->ids, k->ids_count + cells, &k->ids_room, sizeof *ids);
     if (!grown)
         return false;
     k->ids = grown;
@@ -45,7 +46,7 @@ static bool keep_ids(kept_bricks *k, const uint32_t *ids, size_t cells)
 static int kept_bricks_take(void *kept, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
     kept_bricks *const k = kept;
-    kept_brick *const grown = memory_grow(k->bricks, k->count + 1, &k->room, sizeof *grown);
+    kept_brick *const grown = memory_grow_pages(k->bricks, k->count + 1, &k->room, sizeof *grown);
     if (!grown)
         return 1;
     k->bricks = grown;
@@ -73,8 +74,8 @@ static tribox_status kept_bricks_hand_on(const kept_bricks *kept, const tile_sin
 
 static void kept_bricks_free(kept_bricks *kept)
 {
-    free(kept->bricks);
-    free(kept->ids);
+    pages_free(kept->bricks, kept->room * sizeof *kept->bricks);
+    pages_free(kept->ids, kept->ids_room * sizeof *kept->ids);
 }
 
 /* A share ends with the tile that fills it: little enough to keep, and enough to be worth a lock. */
@@ -87,7 +88,7 @@ typedef struct share {
     size_t number, from, to;
 } share;
 
-/* A share that was taken, by what its number leaves. Its memory is that of the next one too. */
+/* A share that was taken, by what its number leaves. */
 typedef struct slot {
     share share;
     kept_bricks kept;
@@ -106,6 +107,8 @@ typedef struct crew {
     size_t ahead;         /* slots */
     pthread_mutex_t lock; /* of what follows */
     pthread_cond_t turned;
+    kept_bricks *spare; /* memory of shares that were handed on: the last is taken first, as caches have it */
+    size_t spares;
     size_t next;         /* record of the next share */
     size_t number, turn; /* shares taken, and handed on */
     size_t waiting;      /* bricks in slots that are done, or as much of ids */
@@ -134,6 +137,8 @@ static bool take_share(crew *c, share *s)
         triangles += tile_set_triangles(c->set, s->to++);
     c->next = s->to;
     c->number += s->to > s->from;
+    if (s->to > s->from && c->spares)
+        c->slots[s->number % c->ahead].kept = c->spare[--c->spares];
     pthread_mutex_unlock(&c->lock);
     return s->to > s->from;
 }
@@ -177,6 +182,8 @@ static void hand_on(crew *c)
         s->is_done = false;
         c->waiting -= kept_bricks_size(&s->kept);
         account(c, &s->share, status, &s->report, s->kept.count);
+        c->spare[c->spares++] = s->kept;
+        s->kept = (kept_bricks){.count = 0};
     }
     c->is_handing = false;
     pthread_cond_broadcast(&c->turned);
@@ -254,7 +261,8 @@ tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigne
     *found = c.found;
     c.ahead = c.is_direct ? 0 : AHEAD * (size_t)threads;
     c.slots = calloc(c.ahead + 1, sizeof *c.slots);
-    c.room = c.slots ? tile_room_new(set, from, to) : NULL;
+    c.spare = calloc(c.ahead + 1, sizeof *c.spare);
+    c.room = c.slots && c.spare ? tile_room_new(set, from, to) : NULL;
     const bool has_memory = c.room;
     pthread_mutex_init(&c.lock, NULL);
     pthread_cond_init(&c.turned, NULL);
@@ -264,8 +272,11 @@ tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigne
     pthread_mutex_destroy(&c.lock);
     for (size_t n = 0; n < c.ahead && c.slots; n++)
         kept_bricks_free(&c.slots[n].kept);
+    for (size_t n = 0; n < c.spares; n++)
+        kept_bricks_free(&c.spare[n]);
     tile_room_free(c.room);
     free(c.slots);
+    free(c.spare);
     *found = c.found;
     return has_memory ? c.status : MESSAGE_NO_MEMORY;
 }

@@ -1,6 +1,7 @@
 /* tile_room.c - hands tiles to the library: of a mesh, or of partitions, whose triangles are checked before. */
 #include <stdlib.h>
 
+#include "console/pages.h"
 #include "tile_set.h"
 #include "write/lowest_bit.h"
 
@@ -9,6 +10,7 @@ enum { BATCH_TRIANGLES = 4096, BATCH_TILES = 256 };
 
 struct tile_room {
     void *scratch;
+    size_t scratch_bytes;
     size_t most;                    /* triangles of a partition at once */
     uint32_t *list;                 /* 0, 1, 2, ... */
     unsigned char *gathered;        /* of several partitions: so many */
@@ -43,7 +45,8 @@ tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
     tile_room *const room = calloc(1, sizeof *room);
     if (!room)
         return NULL;
-    room->scratch = malloc(set->task.has_ids ? tribox_bricks_ids_bytes(set->tile) : tribox_bricks_bytes(set->tile));
+    room->scratch_bytes = set->task.has_ids ? tribox_bricks_ids_bytes(set->tile) : tribox_bricks_bytes(set->tile);
+    room->scratch = pages_take(room->scratch_bytes);
     if (room->scratch && (!set->from || make_list(set, from, to, room)))
         return room;
     tile_room_free(room);
@@ -54,7 +57,7 @@ void tile_room_free(tile_room *room)
 {
     if (!room)
         return;
-    free(room->scratch);
+    pages_free(room->scratch, room->scratch_bytes);
     free(room->list);
     free(room->gathered);
     free(room->numbers);

@@ -94,9 +94,9 @@ static tribox_status tile_listing_make(const voxel_task *task, const tribox_tile
                                        unsigned threads, size_t *starts, uint32_t **list)
 {
     listing l = {.task = task, .tiles = tiles, .options = options, .runs = runs_for(task, tiles, threads)};
-    l.places = malloc(l.runs * tiles->count * sizeof *l.places);
+    l.places = pages_take(l.runs * tiles->count * sizeof *l.places);
     const tribox_status status = l.places ? list_all(&l, threads, starts) : MESSAGE_NO_MEMORY;
-    free(l.places);
+    pages_free(l.places, l.runs * tiles->count * sizeof *l.places);
     if (status && l.list)
         tile_listing_free(l.list, starts[tiles->count]);
     else

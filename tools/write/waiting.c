@@ -1,27 +1,30 @@
 /* waiting.c - keeps the first bytes in memory, which takes less than a file where they are few, and the others in a file. */
 #include "waiting.h"
 
-#include <stdlib.h>
 #include <string.h>
 
+#include "console/memory.h"
 #include "console/message.h"
+#include "console/pages.h"
 #include "spool.h"
 
 enum { KEPT = 1 << 22, CHUNK = 1 << 16 };
 
-waiting waiting_for(const file_out *out) { return (waiting){.out = out, .bytes = malloc(KEPT)}; }
+waiting waiting_for(const file_out *out) { return (waiting){.out = out}; }
 
 void waiting_free(waiting *w)
 {
     if (w->rest)
         fclose(w->rest);
-    free(w->bytes);
+    pages_free(w->bytes, w->room);
     *w = (waiting){.count = 0};
 }
 
 int waiting_add(waiting *w, const void *bytes, size_t count)
 {
-    if (!w->rest && w->bytes && count <= KEPT - w->count) {
+    void *const grown = !w->rest && count <= KEPT - w->count ? memory_grow_pages(w->bytes, w->count + count, &w->room, 1) : NULL;
+    if (grown) {
+        w->bytes = grown;
         memcpy(w->bytes + w->count, bytes, count);
         w->count += count;
         return EXIT_CODE_OK;

@@ -6,8 +6,8 @@
 
 typedef struct waiting {
     const file_out *out;  /* where they will go, for the place of the file and for messages */
-    unsigned char *bytes; /* NULL where there is no memory for them */
-    size_t count;         /* of these */
+    unsigned char *bytes; /* NULL for none */
+    size_t count, room;   /* of these, and for how many there is memory */
     FILE *rest;           /* NULL as long as there is none */
 } waiting;
 
