@@ -767,6 +767,9 @@ TRIBOX_API size_t tribox_tile_count(const uint32_t size[3], uint32_t side);
  * begins; with a list, and the starts of the first pass for the same arguments, it writes the numbers of the triangles, in rising
  * order for each tile. With tiles of one cell, these are the lists by cell that builders of grids and trees need.
  *
+ * EXACT lists of all tiles of a grid come from the pairs of triangle and cell that voxelizing finds where the side is 1, 2 or 4, or
+ * 8 and no border cuts a tile: mostly in a half to a tenth of the time that shares of them take.
+ *
  * A triangle is in a tile if it overlaps the tile's box, from the lowest plane of its cells to the highest: EXACT is by definition
  * tribox_overlap, CONSERVATIVE may list more, and FAST is treated as CONSERVATIVE.
  *

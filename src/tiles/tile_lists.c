@@ -165,11 +165,20 @@ tribox_status tribox_tiles_list(const tribox_triangles *triangles, const tribox_
     return status;
 }
 
+static tribox_status list_tiles(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_tiles *tiles,
+                                const tribox_options *options, size_t *starts, uint32_t *list)
+{
+    tribox_status status;
+    return tribox_cells_list_tiles(triangles, grid, tiles, options, starts, list, &status)
+               ? status
+               : tribox_tiles_list(triangles, grid, NULL, tiles, options, starts, list);
+}
+
 tribox_status tribox_tile_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
                                 const tribox_options *options, size_t *starts, uint32_t *list)
 {
     tribox_triangles triangles;
-    return tribox_triangles_of_soup(soup, &triangles) ? tribox_tiles_list(&triangles, grid, NULL, tiles, options, starts, list)
+    return tribox_triangles_of_soup(soup, &triangles) ? list_tiles(&triangles, grid, tiles, options, starts, list)
                                                       : TRIBOX_BAD_ARGUMENT;
 }
 
@@ -177,7 +186,7 @@ tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const tribox_grid 
                                      const tribox_options *options, size_t *starts, uint32_t *list)
 {
     tribox_triangles triangles;
-    return tribox_triangles_of_mesh(mesh, &triangles) ? tribox_tiles_list(&triangles, grid, NULL, tiles, options, starts, list)
+    return tribox_triangles_of_mesh(mesh, &triangles) ? list_tiles(&triangles, grid, tiles, options, starts, list)
                                                       : TRIBOX_BAD_ARGUMENT;
 }
 

@@ -35,6 +35,17 @@ typedef struct tribox_tiles_call {
 tribox_status tribox_tiles_list(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
                                 const tribox_tiles *tiles, const tribox_options *options, size_t *starts, uint32_t *list);
 
+/* Whether tiles of few cells are listed as cells are: not in a library that is to be small. */
+#if defined(TRIBOX_SMALL)
+enum { TRIBOX_TILES_AS_CELLS = 0 };
+#else
+enum { TRIBOX_TILES_AS_CELLS = 1 };
+#endif
+
+/* tribox_tiles_list of a whole grid, by the kernels' pairs: false where they do not list these tiles, or arguments are wrong. */
+bool tribox_cells_list_tiles(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_tiles *tiles,
+                             const tribox_options *options, size_t *starts, uint32_t *list, tribox_status *status);
+
 /* What a share has from tile `at` on: layers, or else rows of one layer, or else tiles of one row. */
 tribox_tile_box tribox_tiling_part(const tribox_tiling *t, size_t at);
 

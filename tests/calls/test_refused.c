@@ -360,8 +360,9 @@ static void empty_part(int n)
 
 static void bad_tiles(int n)
 {
-    static const tribox_tiles shares[] = {{0, 0, TILES},           {0, 0, 0},    {UINT32_MAX, 0, TILES}, {TILE, 0, TILES + 1},
-                                          {TILE, 3, SIZE_MAX - 1}, {TILE, 9, 0}, {TILE, 8, 1},           {TILE, SIZE_MAX, 1}};
+    static const tribox_tiles shares[] = {
+        {0, 0, TILES}, {0, 0, 0},    {UINT32_MAX, 0, TILES}, {TILE, 0, TILES + 1}, {TILE, 3, SIZE_MAX - 1},
+        {TILE, 9, 0},  {TILE, 8, 1}, {TILE, SIZE_MAX, 1},    {1, 1, CELLS}};
     a.the_tiles = shares[n];
 }
 
@@ -457,7 +458,7 @@ static const struct fault {
     {"window", "window", TRIBOX_BAD_ARGUMENT, 18, bad_window, NOTHING},
     {"empty window", "-", TRIBOX_OK, SIDE + 1, empty_window, EVERY},
     {"empty part", "window", TRIBOX_OK, 3, empty_part, ALONE},
-    {"tiles", "tiles", TRIBOX_BAD_ARGUMENT, 8, bad_tiles, NOTHING},
+    {"tiles", "tiles", TRIBOX_BAD_ARGUMENT, 9, bad_tiles, NOTHING},
     {"side of bricks", "lists", TRIBOX_BAD_ARGUMENT, 6, no_bricks, ALONE | NOTHING},
     {"falling starts", "lists", TRIBOX_BAD_ARGUMENT, TILES, falling_starts, ALONE},
     {"no lists", "-", TRIBOX_OK, 1, empty_lists, EVERY},

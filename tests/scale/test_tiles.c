@@ -13,7 +13,7 @@ enum { PAIRS = 100000, ROUNDS = 800, PART_ROUNDS = 300, TILES_MAX = 3000, PARTS 
 
 static tile_case drawn;
 
-static const uint32_t tiles[] = {1, 2, 3, 8, 128, 0};
+static const uint32_t tiles[] = {1, 2, 3, 4, 8, 128, 0};
 
 /* Lists of a share, from memory that ends where it has to. */
 typedef struct guarded_lists {

@@ -68,6 +68,18 @@ static void draw_doubles(random_source *r, tile_case *c)
     }
 }
 
+/* Of grids of small tiles half have whole tiles alone, and the others are mostly asked by some of the axes. */
+static void vary_small_tiles(random_source *r, tile_case *c)
+{
+    uint32_t *const size = c->is_double ? c->window.grid.size : c->at.grid.size;
+    const bool are_small = c->tile <= 4, are_whole = are_small && random_int(r, 2);
+    for (int a = 0; a < 3; a++)
+        if (are_whole && size[a] > c->tile)
+            size[a] -= size[a] % c->tile;
+    if (are_small && !are_whole && random_int(r, 4))
+        c->options.axes = (unsigned)random_int_between(r, 1, AXIS_SETS);
+}
+
 void tile_case_draw(random_source *r, uint32_t tile, tile_case *c)
 {
     c->tile = tile ? tile : (uint32_t)random_int_between(r, 1, 40);
@@ -80,6 +92,7 @@ void tile_case_draw(random_source *r, uint32_t tile, tile_case *c)
     c->options = (tribox_options){.accuracy = (tribox_accuracy)(random_int(r, 2) ? 0 : random_int(r, 3)),
                                   .axes = (unsigned)(random_int(r, 3) ? 0 : random_int_between(r, 1, AXIS_SETS)),
                                   .kernel = names[random_int(r, kernels)]};
+    vary_small_tiles(r, c);
 }
 
 void tile_case_tell(const tile_case *c, char *text, size_t length)
