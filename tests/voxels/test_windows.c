@@ -7,6 +7,9 @@
 #include "occupancy.h"
 
 #include <math.h>
+#ifndef __wasm__
+#include <pthread.h>
+#endif
 
 #include "common/contact.h"
 #include "common/harness.h"
@@ -221,6 +224,54 @@ CASE(test_slabs)
         ask_slab(&options, size, 0);
     }
 }
+
+#ifdef __wasm__
+#define RUN_THREADS
+#else
+#define RUN_THREADS RUN(test_threads),
+typedef struct worker {
+    pthread_t thread;
+    const tribox_options *options;
+    uint32_t first, layers;
+    tribox_report report;
+} worker;
+
+static void *work(void *own)
+{
+    worker *const w = own;
+    const tribox_soup soup = triangle_list_soup(&triangles);
+    const tribox_window window = {{0, 0, w->first}, {at.grid.size[0], at.grid.size[1], w->layers}};
+    tribox_voxelize(&soup, &at.grid, &window, w->options, occupied + w->first * at.row_words * at.grid.size[1], &w->report);
+    return NULL;
+}
+
+/* Slabs of one grid at once, and a kernel that all choose: for the thread sanitizer. */
+CASE(test_threads)
+{
+    enum { THREADS = 4 };
+    random_source r = random_named(args.seed, "threads");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / SLAB_ROUNDS); round++) {
+        worker workers[THREADS];
+        size_t sum = 0;
+        draw_pairs(&r, round, false, TRIANGLES);
+        tribox_options options = any_options(&r);
+        options.kernel = round % 2 ? options.kernel : NULL;
+        const size_t set = ask_whole(&options);
+        memset(occupied, 0, at.words * sizeof *occupied);
+        for (uint32_t t = 0; t < THREADS; t++) {
+            const uint32_t first = at.grid.size[2] * t / THREADS, end = at.grid.size[2] * (t + 1) / THREADS;
+            workers[t] = (worker){.options = &options, .first = first, .layers = end - first};
+            assert_int_equal(pthread_create(&workers[t].thread, NULL, work, &workers[t]), 0);
+        }
+        for (uint32_t t = 0; t < THREADS; t++) {
+            assert_int_equal(pthread_join(workers[t].thread, NULL), 0);
+            sum += workers[t].report.overlapping;
+        }
+        assert_int_equal(sum, set);
+        assert_memory_equal(occupied, whole, at.words * sizeof *whole);
+    }
+}
+#endif
 
 /*
  * In doubles of a spacing of half a cell along x, cells are asked in blocks. Edges along y and z pass cells within rounding: where
@@ -469,5 +520,5 @@ CASE(test_not_finite)
             }
 }
 
-PROGRAM(RUN(test_any), RUN(test_slabs), RUN(test_blocks), RUN(test_large_grids), RUN(test_late_windows), RUN(test_bits_stay),
-        RUN(test_parts), RUN(test_order), RUN(test_not_finite))
+PROGRAM(RUN(test_any), RUN(test_slabs), RUN_THREADS RUN(test_blocks), RUN(test_large_grids), RUN(test_late_windows),
+        RUN(test_bits_stay), RUN(test_parts), RUN(test_order), RUN(test_not_finite))
