@@ -50,10 +50,8 @@ static int choose_cubes(const char *path, const tribox_box *bounds, uint32_t res
         longest = sides[a] > sides[longest] ? a : longest;
     }
     if (!(sides[longest] > 0))
-        return !path ? EXIT_CODE_FAILURE
-                     : message_failure(
-                           "%s: the whole mesh lies in one point and has no longest side; give --cell in place of --resolution",
-                           path);
+        return message_failure("%s: the whole mesh lies in one point and has no longest side; give --cell in place of --resolution",
+                               path);
     tribox_grid around = *grid;
     memcpy(around.origin, bounds->lo, sizeof around.origin);
     const double cell = cell_reaching(&around, longest, resolution, bounds->hi[longest]);
@@ -76,15 +74,12 @@ static int choose_size(const char *path, const tribox_box *bounds, tribox_grid *
     char end[DECIMAL_MAX], start[DECIMAL_MAX];
     for (int a = 0; a < 3; a++) {
         if (grid->origin[a] > bounds->hi[a])
-            return !path ? EXIT_CODE_FAILURE
-                         : message_failure(
-                               "%s: the mesh ends at %c = %s, before the grid starts at %s; move --origin, or give --size", path,
-                               "xyz"[a], decimal_of_double(bounds->hi[a], end), decimal_of_double(grid->origin[a], start));
+            return message_failure("%s: the mesh ends at %c = %s, before the grid starts at %s; move --origin, or give --size",
+                                   path, "xyz"[a], decimal_of_double(bounds->hi[a], end),
+                                   decimal_of_double(grid->origin[a], start));
         const double cells = cells_reaching(grid, a, bounds->hi[a]);
         if (!(cells < cells_max))
-            return !path ? EXIT_CODE_FAILURE
-                         : message_failure("the grid has more than %.0f cells along the %c axis; choose larger cells", cells_max,
-                                           "xyz"[a]);
+            return message_failure("the grid has more than %.0f cells along the %c axis; choose larger cells", cells_max, "xyz"[a]);
         grid->size[a] = (uint32_t)cells;
     }
     return EXIT_CODE_OK;
@@ -159,7 +154,7 @@ bool grid_is_fixed(const grid_choice *choice) { return choice->has_origin && cho
 int grid_choose_around(const grid_choice *choice, const char *path, const tribox_box *bounds, tribox_grid *grid)
 {
     const int code = choose(choice, path, bounds, grid);
-    return code || is_served(grid) ? code : path ? refuse_grid(grid) : EXIT_CODE_FAILURE;
+    return code || is_served(grid) ? code : refuse_grid(grid);
 }
 
 int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid *grid)

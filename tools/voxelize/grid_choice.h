@@ -14,7 +14,7 @@ typedef struct grid_choice {
     uint32_t size[3];
 } grid_choice;
 
-/* Makes the grid around these bounds, not looked at where the grid is fixed. path: NULL for silence. Returns an exit_code. */
+/* Makes the grid around these bounds, not looked at where the grid is fixed. path: that of the mesh. Returns an exit_code. */
 int grid_choose_around(const grid_choice *choice, const char *path, const tribox_box *bounds, tribox_grid *grid);
 
 /* Whether nothing of the grid is left to the mesh. */

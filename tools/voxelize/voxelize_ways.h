@@ -31,9 +31,6 @@ int voxelize_apart(const voxelize_request *r, const voxelize_input *in, voxelize
 /* The mesh as what is to be voxelized into this grid. */
 voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in);
 
-/* Whether all cells at once take less time than tile by tile, whose triangles are sorted first, and are the same cells. */
-bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_t triangles);
-
 /* Says in the answer how it was filled, and warns of a mesh that is not closed. */
 void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_answer *a);
 

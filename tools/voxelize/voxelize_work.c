@@ -12,8 +12,11 @@
 #include "layers.h"
 #include "voxelize_ways.h"
 
-/* Up to 2 MB of bits, which a core has at hand, and with many triangles up to what the last cache holds (bench/files.md). */
-bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_t triangles)
+/*
+ * Whether all cells at once take less time than tile by tile, and are the same: up to 2 MB of bits, which a core has at hand, and
+ * with many triangles up to what the last cache holds (bench/files.md).
+ */
+static bool is_grid_small(const voxelize_request *r, const tribox_grid *grid, size_t triangles)
 {
     static const double at_hand = 0x1p21, cached = 0x1p25, per_triangle = 16;
     if (r->has_shard || r->result.options.has_ids || r->test.accuracy != TRIBOX_EXACT)
@@ -27,7 +30,7 @@ bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
     const bool is_dense = !r->is_count && !r->result.format->bricks && !r->result.options.has_ids;
-    const bool is_small = in->mesh && (is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
+    const bool is_small = in->mesh && (is_dense || is_grid_small(r, &in->cells.grid, in->mesh->triangles));
     return r->has_colours || r->is_thin || is_small;
 }
 
@@ -57,8 +60,8 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
 /* Neither a filling nor a picture needs all cells, and the file takes layers in any order. */
 static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
 {
-    const bool is_wanted = in->mesh && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids && !r->is_count &&
-                           r->result.format->frame;
+    const bool is_wanted =
+        in->mesh && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids && !r->is_count && r->result.format->frame;
     const voxel_task task = voxelize_task(r, in);
     return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
 }
