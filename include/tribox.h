@@ -656,9 +656,9 @@ TRIBOX_API size_t tribox_window_cells(const uint64_t *occupied, const uint32_t s
  *
  * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except that
  * axis sets without TRIBOX_AXES_BOX test every triangle against every cell of the window. Many triangles in one call are faster
- * than many calls, as small triangles are taken a packet at a time: with AVX2 or AVX-512 a call about 64 cells takes
- * 250 to 390 ns for one triangle, 420 to 690 for eight and 1,600 to 2,900 for 64 (bench/calls; AMD EPYC, Zen 5, virtual). So gather
- * some hundred triangles first.
+ * than many calls, as small triangles are taken a packet at a time: with AVX2 or AVX-512 a call about 64 cells takes 250 to 390 ns
+ * for one triangle, 420 to 690 for eight and 1,600 to 2,900 for 64 (tribox-bench calls; AMD EPYC, Zen 5, virtual). So gather some
+ * hundred triangles first.
  *
  * A bit for every cell has to be cleared, and read again by whoever wants cells, spans of them or a sparse tree. Where most are
  * clear, tribox_bricks hands over those that are set, in a quarter to an eighth of the time that bits in new memory take
