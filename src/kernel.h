@@ -10,7 +10,6 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "base/ahead.h"
 #include "base/bits.h"
 #include "base/compiler.h"
 #include "base/inexact_flag.h"

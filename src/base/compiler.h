@@ -1,4 +1,4 @@
-/* compiler.h - what is asked of compilers: arithmetic as it is written, inlining, and the names of what kernels export. */
+/* compiler.h - what is asked of compilers: arithmetic as it is written, inlining, prefetching, and the names of what kernels export. */
 #ifndef TRIBOX_COMPILER_H
 #define TRIBOX_COMPILER_H
 
@@ -43,6 +43,15 @@ _Static_assert(sizeof 1.0 == sizeof(double), "tribox cannot be compiled with -fs
 #else
 #define TRIBOX_NOINLINE static
 #endif
+
+/* Addresses that are read or written soon: they may come into the cache. */
+#if defined(__GNUC__) || defined(__clang__)
+#define TRIBOX_AHEAD(at, is_write) __builtin_prefetch(at, is_write)
+#else
+#define TRIBOX_AHEAD(at, is_write) ((void)(at))
+#endif
+static inline void tribox_will_read(const void *at) { TRIBOX_AHEAD(at, 0); }
+static inline void tribox_will_write(const void *at) { TRIBOX_AHEAD(at, 1); }
 
 /* The one external symbol of a kernel's object: tribox_<part>_<KERNEL>, KERNEL being the name that the object is compiled for. */
 #define TRIBOX_PASTE_(part, kernel) tribox_##part##_##kernel

@@ -2,7 +2,6 @@
 #ifndef TRIBOX_FILL_CROSSINGS_H
 #define TRIBOX_FILL_CROSSINGS_H
 
-#include "base/ahead.h"
 #include "fill.h"
 #include "fill_middles.h"
 #include "kernel.h"

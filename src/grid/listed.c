@@ -5,7 +5,6 @@
 
 #include "base/floats.h"
 #include "mesh/mesh_input.h"
-#include "mesh/mesh_streams.h"
 
 static bool are_all_below(const uint32_t *list, size_t count, size_t end)
 {

@@ -3,7 +3,6 @@
 
 #include "base/floats.h"
 #include "mesh/mesh_input.h"
-#include "mesh/mesh_streams.h"
 
 bool tribox_triangles_of_soup(const tribox_soup *soup, tribox_triangles *triangles)
 {

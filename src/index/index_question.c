@@ -4,7 +4,6 @@
 #include "base/box.h"
 #include "local_bounds.h"
 #include "mesh/mesh_input.h"
-#include "mesh/mesh_oriented.h"
 #include "pairs/partial_packet.h"
 
 bool tribox_question_take(tribox_question *q, const tribox_index *index)

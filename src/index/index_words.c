@@ -4,7 +4,6 @@
 #include "base/bits.h"
 #include "index_question.h"
 #include "mesh/mesh_input.h"
-#include "mesh/mesh_oriented.h"
 
 /* About a box: the kernel's answers, then what they leave undecided, all at once. */
 static void answer_soup_words(tribox_question *q, const size_t *word, const size_t *full, unsigned count, uint64_t *hit)

@@ -6,7 +6,6 @@
 #include "base/finite.h"
 #include "local_bounds.h"
 #include "mesh/mesh_input.h"
-#include "mesh/mesh_streams.h"
 #include "plan.h"
 
 /* Words that are read at a time, and their triangles: 36 KB of streams. */

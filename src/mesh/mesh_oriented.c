@@ -2,10 +2,7 @@
  * mesh_oriented.c - triangles of a mesh against an oriented box: floats as they are, as those of a soup; doubles as the floats
  * nearest to what they are from the center of the box, which is in double.
  */
-#include "mesh_oriented.h"
-
 #include "mesh_input.h"
-#include "mesh_streams.h"
 
 static bool has_doubles(const tribox_mesh *mesh) { return mesh->position_bytes == sizeof(double); }
 

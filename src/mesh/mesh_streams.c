@@ -1,6 +1,4 @@
 /* mesh_streams.c - triangles of a mesh as nine streams: as they are, or relative to an origin. */
-#include "mesh_streams.h"
-
 #include "dispatch.h"
 #include "base/environment.h"
 #include "base/finite.h"

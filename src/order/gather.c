@@ -4,7 +4,6 @@
 #include "base/environment.h"
 #include "base/floats.h"
 #include "mesh/mesh_input.h"
-#include "mesh/mesh_streams.h"
 #include "mesh/positions.h"
 #include "base/soup.h"
 

@@ -15,7 +15,6 @@
 #include "base/environment.h"
 #include "base/finite.h"
 #include "mesh/mesh_input.h"
-#include "mesh/mesh_streams.h"
 #include "mesh/positions.h"
 #include "base/soup.h"
 #include "tribox_threads.h"

@@ -1,7 +1,6 @@
 /* overlap_oriented.c - which triangles overlap an oriented box: the calls. */
 #include "base/environment.h"
 #include "mesh/mesh_input.h"
-#include "mesh/mesh_oriented.h"
 #include "pairs/pairs.h"
 #include "pairs/partial_packet.h"
 

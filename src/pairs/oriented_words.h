@@ -11,7 +11,7 @@ typedef struct tribox_streams {
     float number[9][TRIBOX_ORIENTED_BLOCK];
 } tribox_streams;
 
-/* A question: set by tribox_oriented_ask_soup, or tribox_oriented_ask_mesh of mesh/mesh_oriented.h. */
+/* A question: set by tribox_oriented_ask_soup, or tribox_oriented_ask_mesh of mesh/mesh_input.h. */
 typedef struct tribox_oriented_query tribox_oriented_query;
 struct tribox_oriented_query {
     const tribox_oriented_box *box;
