@@ -7,8 +7,7 @@
 
 #include "read/indexed_mesh.h"
 #include "read/mesh.h"
-#include "read/mesh_kind.h"
-#include "read/readers.h"
+#include "read/scan.h"
 
 const char *mesh_list_name(const char *path)
 {
@@ -33,15 +32,13 @@ bool mesh_list_read(const char *path, mesh *m)
 
 bool mesh_list_read_indexed(const char *path, indexed_mesh *m)
 {
-    static int (*const readers[])(const char *, const whole_file *, indexed_mesh *) = {
-        [MESH_PLY] = read_ply, [MESH_OFF] = read_off, [MESH_OBJ] = read_obj, [MESH_OTHER] = NULL};
     char whole[PATH_ROOM];
     whole_file file;
     const mesh_kind kind = mesh_kind_of(find(path, whole));
     *m = (indexed_mesh){.positions = NULL};
-    if (!readers[kind])
+    if (kind == MESH_STL_TEXT || kind == MESH_OTHER)
         return message_failure("%s: no PLY, OFF or OBJ file, which have indices", path) == EXIT_CODE_OK;
-    const bool is_read = !whole_file_read(whole, &file) && !readers[kind](whole, &file, m);
+    const bool is_read = !whole_file_read(whole, &file) && !scan_read(whole, kind, &file, m);
     whole_file_free(&file);
     indexed_mesh_narrow(m);
     if (is_read && (m->position_bytes != sizeof(float) || !m->triangles))

@@ -17,7 +17,7 @@
 #include "partition/partition.h"
 #include "read/boxes.h"
 #include "read/little.h"
-#include "read/readers.h"
+#include "read/scan.h"
 #include "read/triangle_file.h"
 #include "target.h"
 #include "write/checksum.h"
@@ -63,11 +63,11 @@ static void check_mesh(indexed_mesh *m, size_t size)
     ensure(m->triangles <= size && m->face_max <= 4 * size, "%zu triangles of %zu bytes", m->triangles, size);
 }
 
-static void read_mesh(bytes b, const char *name, int (*read)(const char *, const whole_file *, indexed_mesh *))
+static void read_mesh(bytes b, const char *name, mesh_kind kind)
 {
     whole_file file = file_of(b);
     indexed_mesh m = {.positions = NULL};
-    const int code = read(name, &file, &m);
+    const int code = scan_read(name, kind, &file, &m);
     lines_fit(name, code);
     check_mesh(&m, b.size);
     if (!code)
@@ -76,13 +76,13 @@ static void read_mesh(bytes b, const char *name, int (*read)(const char *, const
     whole_file_free(&file);
 }
 
-static void read_any_ply(bytes b) { read_mesh(b, "a.ply", read_ply); }
+static void read_any_ply(bytes b) { read_mesh(b, "a.ply", MESH_PLY); }
 
-static void read_any_off(bytes b) { read_mesh(b, "a.off", read_off); }
+static void read_any_off(bytes b) { read_mesh(b, "a.off", MESH_OFF); }
 
-static void read_any_obj(bytes b) { read_mesh(b, "a.obj", read_obj); }
+static void read_any_obj(bytes b) { read_mesh(b, "a.obj", MESH_OBJ); }
 
-static void read_any_stl(bytes b) { read_mesh(b, "a.stl", read_stl_text); }
+static void read_any_stl(bytes b) { read_mesh(b, "a.stl", MESH_STL_TEXT); }
 
 static bool is_same_box(const tribox_box *one, const tribox_box *other)
 {

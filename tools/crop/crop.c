@@ -36,7 +36,9 @@ crop_side crop_next(crop *c, uint64_t corners)
         set += is_set(c, c->next + t);
     c->next += triangles;
     tell(c);
-    return set && (!c->choice.needs_all || set == triangles) ? CROP_PART : CROP_REST;
+    const crop_side side = set && (!c->choice.needs_all || set == triangles) ? CROP_PART : CROP_REST;
+    c->counts[side].faces += c->pass == 1;
+    return side;
 }
 
 static void fail(crop *c, crop_side side)
@@ -89,10 +91,8 @@ static int write_records(crop *c, const crop_files *f)
 
 static int write_faces(crop *c, const crop_files *f)
 {
-    static int (*const writers[])(crop * c) = {
-        [MESH_PLY] = crop_ply, [MESH_OFF] = crop_off, [MESH_STL_TEXT] = crop_stl_text, [MESH_OBJ] = crop_obj};
     c->passes = f->kind == MESH_STL_TEXT ? 1 : 2;
-    return writers[f->kind](c);
+    return crop_scanned(c, f->kind);
 }
 
 /* Between two readings, too. */

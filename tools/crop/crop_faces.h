@@ -37,9 +37,6 @@ void crop_put_both(crop *c, const void *bytes, size_t size);
 
 /* Each writes all of a mesh file, until crop_is_over. Returns an exit_code, of other failures than that of a write or a change. */
 int crop_records(crop *c, triangle_file *file);
-int crop_ply(crop *c);
-int crop_obj(crop *c);
-int crop_off(crop *c);
-int crop_stl_text(crop *c);
+int crop_scanned(crop *c, mesh_kind kind);
 
 #endif

@@ -44,7 +44,6 @@ static void put_records(crop *c, const unsigned char *records, size_t count, siz
     size_t first = 0;
     for (size_t i = 0; i < count; i++) {
         const crop_side own = crop_next(c, 3);
-        c->counts[own].faces++;
         if (own != side)
             crop_put(c, side, records + first * record, (i - first) * record);
         first = own != side ? i : first;

@@ -24,9 +24,8 @@ typedef struct indexed_mesh {
 /* Makes room for as many vertices at least, of floats or doubles. Returns an exit_code; path is for the message. */
 int indexed_mesh_reserve(const char *path, uint64_t vertices, unsigned position_bytes, indexed_mesh *m);
 
-/* Each adds a vertex of a mesh of doubles, or of floats, for which there is room. */
+/* Adds a vertex, for which there is room. */
 void indexed_mesh_add_vertex(const double position[3], indexed_mesh *m);
-void indexed_mesh_add_floats(const float position[3], indexed_mesh *m);
 
 /* Doubles that are floats, or decimals that floats give back, become floats. Others stay. */
 void indexed_mesh_narrow(indexed_mesh *m);

@@ -11,33 +11,15 @@
 #include "mesh_triangles.h"
 #include "mesh_ways.h"
 #include "plain.h"
-#include "readers.h"
-#include "words.h"
-
-typedef int reader(const char *path, const whole_file *file, indexed_mesh *m);
-
-static const struct {
-    reader *read;
-    plain_reader *read_plain;
-} readers[] = {[MESH_PLY] = {read_ply, plain_ply},
-               [MESH_OFF] = {read_off, NULL},
-               [MESH_STL_TEXT] = {read_stl_text, plain_stl},
-               [MESH_OBJ] = {read_obj, plain_obj},
-               [MESH_OTHER] = {NULL, NULL}};
-
-static reader *find_reader(const char *path, const whole_file *file)
-{
-    words first = words_of(path, file, '#');
-    words_next(&first);
-    return readers[mesh_kind_by(path, &first)].read;
-}
+#include "read_by_assimp.h"
+#include "scan.h"
 
 static plain_reader *find_plain_reader(const char *path, const plain_file *file)
 {
+    static plain_reader *const readers[MESH_OTHER + 1] = {
+        [MESH_PLY] = plain_ply, [MESH_STL_TEXT] = plain_stl, [MESH_OBJ] = plain_obj};
     words first = words_of(path, &file->head, '#');
-    if (!words_next(&first) || words_is_cut(&first))
-        return NULL;
-    return readers[mesh_kind_by(path, &first)].read_plain;
+    return words_next(&first) && !words_is_cut(&first) ? readers[mesh_kind_by(path, &first)] : NULL;
 }
 
 static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
@@ -96,18 +78,29 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
     return code;
 }
 
-int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
+static int scan_file(const char *path, bool is_wide, mesh *m)
 {
     whole_file file;
     indexed_mesh indexed = {.positions = NULL};
+    mesh_kind kind = MESH_OTHER;
     int code = whole_file_read(path, &file);
-    reader *const read = code ? NULL : find_reader(path, &file);
-    if (read)
-        code = read(path, &file, &indexed);
+    if (!code) {
+        words first = words_of(path, &file, '#');
+        words_next(&first);
+        kind = mesh_kind_by(path, &first);
+    }
+    if (!code && kind != MESH_OTHER)
+        code = scan_read(path, kind, &file, &indexed);
     whole_file_free(&file);
     if (!code)
-        code = read ? take_indexed(path, is_wide, &indexed, m) : read_by_assimp(path, m);
+        code = kind == MESH_OTHER ? read_by_assimp(path, m) : take_indexed(path, is_wide, &indexed, m);
     indexed_mesh_free(&indexed);
+    return code;
+}
+
+int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
+{
+    const int code = scan_file(path, is_wide, m);
     m->triangles = m->is_double ? m->doubles.count : m->soup.count;
     if (!code)
         mesh_look_all(threads, m);

@@ -1,5 +1,5 @@
 /*
- * plain.h - files written as most programs write them, read by threads and fast. What is unusual is left to readers.h, which knows
+ * plain.h - files written as most programs write them, read by threads and fast. What is unusual is left to scan.h, which knows
  * every spelling and says what is wrong: both make the same mesh of what both read, bit for bit.
  */
 #ifndef PLAIN_H

@@ -7,7 +7,7 @@
 #include "text_parts.h"
 #include "text_pieces.h"
 
-enum { FACET_BYTES = 86 /* at least, as read_stl_text says */ };
+enum { FACET_BYTES = 86 /* at least, as scan_text.c says */ };
 
 typedef struct stl_text {
     text_pieces scratches; /* of the threads */

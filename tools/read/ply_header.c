@@ -54,15 +54,30 @@ static bool read_type(words *w, ply_type *type)
     return *type != PLY_NONE;
 }
 
-static ply_role role_of(const words *name, ply_kind kind, bool is_list)
+static int count_role(const ply_element *e, ply_role role)
 {
-    static const char *const coordinates[] = {"x", "y", "z"};
-    if (kind == PLY_VERTICES && !is_list) {
-        const int axis = find(name, coordinates, 3);
-        return axis < 3 ? (ply_role)axis : PLY_SKIPPED;
-    }
+    int count = 0;
+    for (int i = 0; i < e->property_count; i++)
+        count += e->properties[i].role == role;
+    return count;
+}
+
+static ply_role role_of(const words *name, const ply_element *e, bool is_list)
+{
+    static const struct {
+        const char *name;
+        ply_role role;
+    } of_vertices[] = {{"x", PLY_X}, {"y", PLY_Y}, {"z", PLY_Z}},
+      of_both[] = {{"red", PLY_RED},         {"green", PLY_GREEN},         {"blue", PLY_BLUE},
+                   {"diffuse_red", PLY_RED}, {"diffuse_green", PLY_GREEN}, {"diffuse_blue", PLY_BLUE}};
+    for (int i = 0; !is_list && e->kind == PLY_VERTICES && i < 3; i++)
+        if (words_is(name, of_vertices[i].name))
+            return of_vertices[i].role;
+    for (int i = 0; !is_list && e->kind <= PLY_FACES && i < 6; i++)
+        if (words_is(name, of_both[i].name) && !count_role(e, of_both[i].role))
+            return of_both[i].role;
     const bool is_corners = is_list && (words_is(name, "vertex_indices") || words_is(name, "vertex_index"));
-    return (kind == PLY_FACES || kind == PLY_STRIPS) && is_corners ? PLY_CORNERS : PLY_SKIPPED;
+    return (e->kind == PLY_FACES || e->kind == PLY_STRIPS) && is_corners ? PLY_CORNERS : PLY_SKIPPED;
 }
 
 /* property TYPE NAME, or property list COUNT_TYPE TYPE NAME */
@@ -78,11 +93,12 @@ static bool read_property(words *w, ply_header *h)
         return false;
     if (!read_type(w, &p->type) || !words_next_on_line(w))
         return false;
-    p->role = role_of(w, e->kind, is_list);
+    p->role = role_of(w, e, is_list);
     p->name = w->word;
     p->name_length = w->length;
     h->property_count++;
     e->property_count++;
+    e->has_colour = count_role(e, PLY_RED) && count_role(e, PLY_GREEN) && count_role(e, PLY_BLUE);
     return true;
 }
 
@@ -110,14 +126,6 @@ static bool read_line(words *w, ply_header *h)
     if (words_is(w, "property"))
         return read_property(w, h);
     return words_is(w, "comment") || words_is(w, "obj_info");
-}
-
-static int count_role(const ply_element *e, ply_role role)
-{
-    int count = 0;
-    for (int i = 0; i < e->property_count; i++)
-        count += e->properties[i].role == role;
-    return count;
 }
 
 /* What the element lacks; NULL if it has all that is needed. */
@@ -148,7 +156,7 @@ static int check_elements(const char *path, const ply_header *h)
 
 static int refuse_line(const char *path, const char *line)
 {
-    const size_t length = strcspn(line, "\r\n");
+    const size_t length = path ? strcspn(line, "\r\n") : 0;
     return REFUSE("%s: not a sound PLY file: '%.*s' in its header is not understood", path,
                   length < LINE_SHOWN ? (int)length : LINE_SHOWN, line);
 }

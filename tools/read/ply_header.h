@@ -2,6 +2,7 @@
 #ifndef PLY_HEADER_H
 #define PLY_HEADER_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -23,8 +24,8 @@ typedef enum ply_type {
     PLY_DOUBLE
 } ply_type;
 
-/* What a value is for. PLY_CORNERS: the list of a face's vertices. */
-typedef enum ply_role { PLY_X, PLY_Y, PLY_Z, PLY_CORNERS, PLY_SKIPPED } ply_role;
+/* What a value is for. PLY_CORNERS: the list of a face's vertices. Colours, of vertices and faces: the first of each name. */
+typedef enum ply_role { PLY_X, PLY_Y, PLY_Z, PLY_CORNERS, PLY_RED, PLY_GREEN, PLY_BLUE, PLY_SKIPPED } ply_role;
 
 typedef struct ply_property {
     ply_type count; /* of the number of values in a list; PLY_NONE: a single value */
@@ -43,6 +44,7 @@ typedef struct ply_element {
     uint64_t count;
     const ply_property *properties;
     int property_count;
+    bool has_colour; /* all three */
 } ply_element;
 
 typedef struct ply_header {

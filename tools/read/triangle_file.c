@@ -76,7 +76,7 @@ static int refuse_stl_size(const triangle_file *file, uint64_t due)
                            file->name, what, file->size, file->promised, due);
 }
 
-/* Text is left to read_stl_text, unless --format says that the file is binary. */
+/* Text is left to scan_text.c, unless --format says that the file is binary. */
 static int leave_text(triangle_file *file, bool is_given)
 {
     const char *name = file->name;

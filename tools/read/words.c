@@ -70,6 +70,32 @@ bool words_next_on_line(words *w)
 
 void words_skip_line(words *w) { skip_to_line_end(w); }
 
+const char *words_line_begin(const words *w, const char *from)
+{
+    const char *at = w->word;
+    while (at > from && !is_line_end(at[-1]))
+        at--;
+    return at;
+}
+
+const char *words_line_next(const words *w)
+{
+    const bool is_pair = w->end - w->at > 1 && w->at[0] == '\r' && w->at[1] == '\n';
+    return w->at + (is_pair ? 2 : w->at < w->end);
+}
+
+const char *words_rest(words w, size_t *length)
+{
+    const char *begin = w.at;
+    skip_to_line_end(&w);
+    while (begin < w.at && strchr(" \t", *begin))
+        begin++;
+    while (w.at > begin && strchr(" \t", w.at[-1]))
+        w.at--;
+    *length = (size_t)(w.at - begin);
+    return begin;
+}
+
 bool words_is(const words *w, const char *expected)
 {
     return w->length == strlen(expected) && !strncasecmp(w->word, expected, w->length);
@@ -113,6 +139,8 @@ int words_shown(const words *w) { return w->length < SHOWN_MAX ? (int)w->length 
 
 int words_refuse(const words *w, const char *due)
 {
+    if (!w->path)
+        return EXIT_CODE_FAILURE;
     if (words_is_cut(w))
         return message_failure("%s: truncated: the file ends where %s should follow; write it again", w->path, due);
     if (!w->length)

@@ -10,7 +10,7 @@
 #include "whole_file.h"
 
 typedef struct words {
-    const char *path; /* for messages */
+    const char *path; /* for messages; NULL to say nothing */
     const char *text, *end;
     const char *at;   /* what follows the last word */
     const char *word; /* the last word, `length` bytes; none at the end of the text */
@@ -28,6 +28,14 @@ bool words_next(words *w);
 bool words_next_on_line(words *w);
 
 void words_skip_line(words *w);
+
+/*
+ * Where the line of the last word begins, unless that is before `from`; where the line after the one that was skipped does; and
+ * what follows the last word on its line, without the blanks around it: a name, which may have blanks within.
+ */
+const char *words_line_begin(const words *w, const char *from);
+const char *words_line_next(const words *w);
+const char *words_rest(words w, size_t *length);
 
 /* Whether the last word is this one; upper case and lower case are the same. */
 bool words_is(const words *w, const char *expected);

@@ -1,0 +1,186 @@
+/*
+ * crop_scanned.c - PLY, OFF, OBJ and STL as text: items as they are, but for the numbers of vertices, textures and normals, which
+ * are those that are used, and for their counts.
+ */
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "console/message.h"
+#include "crop_faces.h"
+#include "files/file_map.h"
+#include "kept_numbers.h"
+#include "read/scan.h"
+
+/* Lines that wait for a face, so that no empty groups are written. */
+typedef struct states {
+    const char *begin[SCAN_STATES], *end[SCAN_STATES]; /* NULL: none waits */
+    int waiting;
+} states;
+
+typedef struct cropping {
+    crop *c;
+    scan s;
+    kept_numbers kept[CROP_SIDES][SCAN_NUMBERED];
+    states states[CROP_SIDES];
+    uint64_t left_out; /* lines of OBJ */
+} cropping;
+
+/* Points and lines overlap nothing, as they are not asked about. */
+static crop_side side_of(cropping *k) { return k->s.item.kind == SCAN_LINE ? CROP_REST : crop_next(k->c, k->s.item.corners); }
+
+static bool has_side(scan_kind kind) { return kind == SCAN_FACE || kind == SCAN_FACET || kind == SCAN_LINE; }
+
+static void mark(cropping *k)
+{
+    const scan_item *const i = &k->s.item;
+    k->left_out += i->kind == SCAN_LEFT_OUT;
+    if (!has_side(i->kind))
+        return;
+    const crop_side side = side_of(k);
+    for (size_t n = 0; n < i->count; n++)
+        kept_numbers_add(&k->kept[side][i->references[n].which], i->references[n].number);
+}
+
+/* The edges are not counted anew: programs take 0 for that. */
+static uint64_t number_of(const cropping *k, crop_side side, const scan_reference *r)
+{
+    return r->which == SCAN_VERTICES ? k->c->counts[side].vertices
+           : r->which == SCAN_FACES  ? k->c->counts[side].faces
+           : r->which == SCAN_EDGES  ? 0
+                                     : kept_numbers_new(&k->kept[side][r->which], r->number) + (k->s.kind == MESH_OBJ);
+}
+
+static void put_item(cropping *k, crop_side side)
+{
+    const scan_item *const i = &k->s.item;
+    const char *from = i->begin;
+    char number[SCAN_DIGITS];
+    for (size_t n = 0; n < i->count; n++) {
+        const scan_reference *const r = &i->references[n];
+        crop_put(k->c, side, from, (size_t)(r->at - from));
+        crop_put(k->c, side, number, scan_spell(&k->s, r, number_of(k, side, r), number));
+        from = r->at + r->length;
+    }
+    crop_put(k->c, side, from, (size_t)(i->end - from));
+    crop_put(k->c, side, i->after, strlen(i->after));
+}
+
+static void set_state(states *s, const scan_item *i)
+{
+    s->waiting += !s->begin[i->which];
+    s->begin[i->which] = i->begin;
+    s->end[i->which] = i->end;
+}
+
+/* In their order in the file. */
+static void put_states(cropping *k, crop_side side)
+{
+    states *const s = &k->states[side];
+    for (; s->waiting; s->waiting--) {
+        int first = 0;
+        while (!s->begin[first])
+            first++;
+        for (int i = first + 1; i < SCAN_STATES; i++)
+            if (s->begin[i] && s->begin[i] < s->begin[first])
+                first = i;
+        crop_put(k->c, side, s->begin[first], (size_t)(s->end[first] - s->begin[first]));
+        s->begin[first] = NULL;
+    }
+}
+
+static void put(cropping *k)
+{
+    const scan_item *const i = &k->s.item;
+    crop_put_both(k->c, i->gap, (size_t)(i->begin - i->gap));
+    if (has_side(i->kind)) {
+        const crop_side side = side_of(k);
+        put_states(k, side);
+        put_item(k, side);
+        return;
+    }
+    for (crop_side side = CROP_PART; side < CROP_SIDES && i->kind != SCAN_LEFT_OUT; side++)
+        if (i->kind == SCAN_STATE)
+            set_state(&k->states[side], i);
+        else if (i->kind != SCAN_VERTEX || kept_numbers_has(&k->kept[side][i->which], k->s.here[i->which] - 1))
+            put_item(k, side);
+}
+
+static void walk(cropping *k, void (*take)(cropping *k))
+{
+    crop_begin(k->c);
+    scan_again(&k->s);
+    do {
+        k->c->is_changed |= scan_next(&k->s) != EXIT_CODE_OK;
+        if (!k->c->is_changed)
+            take(k);
+    } while (!crop_is_over(k->c) && k->s.item.kind != SCAN_END);
+}
+
+/* What is not written as it was. */
+static int check_ply(const cropping *k)
+{
+    for (int e = 0; e < k->s.ply.element_count; e++) {
+        const ply_element *const element = &k->s.ply.elements[e];
+        if (element->kind == PLY_STRIPS && element->count)
+            return message_failure("%s: has strips of triangles, which -o and --rest do not cut; save the mesh with faces",
+                                   k->c->path);
+        if (k->s.is_left_out[e] && element->count)
+            message_say("note: %s: its %" PRIu64 " of '%.*s' refer to vertices, and are left out of what is written", k->c->path,
+                        element->count, element->name_length, element->name);
+    }
+    return EXIT_CODE_OK;
+}
+
+static int crop_items(cropping *k)
+{
+    int code = k->s.kind == MESH_PLY ? check_ply(k) : EXIT_CODE_OK;
+    for (int i = 0; !code && i < CROP_SIDES * SCAN_NUMBERED; i++)
+        code = kept_numbers_make(k->c->path, k->s.all[i % SCAN_NUMBERED], &k->kept[i / SCAN_NUMBERED][i % SCAN_NUMBERED]);
+    if (code)
+        return code;
+    if (k->c->passes == 2)
+        walk(k, mark);
+    for (int i = 0; i < CROP_SIDES * SCAN_NUMBERED; i++)
+        kept_numbers_count(&k->kept[i / SCAN_NUMBERED][i % SCAN_NUMBERED]);
+    for (int s = 0; s < CROP_SIDES; s++)
+        k->c->counts[s].vertices = k->kept[s][SCAN_POSITIONS].kept;
+    if (!crop_is_over(k->c))
+        walk(k, put);
+    if (k->s.kind == MESH_OBJ && k->left_out)
+        message_say("note: %s: %" PRIu64 " lines of curves and surfaces are left out of what is written", k->c->path, k->left_out);
+    return code;
+}
+
+/* Its bytes are not copied: the header of a sound file is looked at no further than to its end. */
+static bool map_binary(cropping *k, file_map *map, whole_file *file)
+{
+    if (file_map_open(map, k->c->path) != FILE_MAP_OK)
+        return false;
+    *file = (whole_file){map->bytes, map->size};
+    return file->size && !ply_header_read(NULL, file, &k->s.ply) && k->s.ply.format != PLY_ASCII;
+}
+
+int crop_scanned(crop *c, mesh_kind kind)
+{
+    file_map map = {.bytes = NULL};
+    whole_file file = {NULL, 0};
+    cropping *const k = calloc(1, sizeof *k);
+    if (!k)
+        return message_failure("%s: out of memory", c->path);
+    k->c = c;
+    const bool is_mapped = kind == MESH_PLY && map_binary(k, &map, &file);
+    int code = is_mapped ? EXIT_CODE_OK : whole_file_read(c->path, &file);
+    if (!code) {
+        c->is_changed = scan_open(NULL, kind, &file, &k->s) != EXIT_CODE_OK;
+        code = c->is_changed ? EXIT_CODE_OK : crop_items(k);
+        scan_close(&k->s);
+    }
+    for (int i = 0; i < CROP_SIDES * SCAN_NUMBERED; i++)
+        kept_numbers_free(&k->kept[i / SCAN_NUMBERED][i % SCAN_NUMBERED]);
+    if (!is_mapped)
+        whole_file_free(&file);
+    file_map_close(&map);
+    free(k);
+    return code;
+}
