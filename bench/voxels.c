@@ -158,7 +158,7 @@ static bool run_threads(const contestant *self, uint64_t *bits, tribox_report *r
 {
     const task *const t = self->question;
     const voxel_task work = voxel_task_of_soup(&t->at->soup, &t->grid, &self->options);
-    return !voxelize_in_threads(&work, 0, t->grid.size[2], 2, bits, report, NULL, NULL);
+    return !voxelize_in_threads(&work, 2, bits, report, NULL);
 }
 
 static size_t pick_sample(const task *t, size_t step)

@@ -119,7 +119,7 @@ static bool voxelize(const tribox_soup *soup, const tribox_grid *grid, const cha
     const tribox_options how = {.kernel = kernel};
     const voxel_task task = voxel_task_of_soup(soup, grid, &how);
     memset(bits, 0, tribox_window_words(grid->size) * sizeof *bits);
-    return !voxelize_in_threads(&task, 0, grid->size[2], threads, bits, NULL, NULL, NULL);
+    return !voxelize_in_threads(&task, threads, bits, NULL, NULL);
 }
 
 /* bits: twice the words of the grid. Compares with the scalar kernel. Returns the seconds of the best round; 0 if they differ. */

@@ -2,10 +2,9 @@
 #include "crew.h"
 
 #include <pthread.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
-#include "steps.h"
+#include "message.h"
 
 /* A work that threads do together. */
 typedef struct crew {
@@ -99,25 +98,154 @@ void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void 
     pthread_cond_destroy(&c.left);
 }
 
-/* What there is to do. */
-typedef struct row {
-    steps left;
-    void (*work)(void *data, size_t n);
-    void *data;
-} row;
+/* A step that was begun, by what its number leaves when divided by the places. */
+typedef struct begun_step {
+    void *place;
+    int code;
+    bool is_done;
+} begun_step;
 
-static void work_in_row(void *data, unsigned thread)
+enum { EACH_MAX = 4, PLACES_MAX = EACH_MAX * THREADS_MAX };
+
+typedef struct steps_crew {
+    const crew_work *work;
+    void *data;
+    pthread_mutex_t finding; /* of what follows; whoever has it may take the other, too */
+    size_t next, made, most; /* step; places, and how many there may be */
+    void *places[PLACES_MAX];
+    pthread_mutex_t state; /* of what follows */
+    pthread_cond_t has_changed;
+    void *spare[PLACES_MAX]; /* places: the last is taken first, as caches have it */
+    size_t spares, turn;     /* turn: the step that is told next */
+    begun_step steps[PLACES_MAX];
+    bool is_telling, is_over; /* is_over: no step is begun any more */
+    int code;
+} steps_crew;
+
+static bool is_over(steps_crew *c, bool ends)
 {
-    row *const r = data;
-    (void)thread;
-    for (size_t n; steps_take(&r->left, &n);)
-        r->work(r->data, n);
+    pthread_mutex_lock(&c->state);
+    const bool is = c->is_over |= ends;
+    pthread_cond_broadcast(&c->has_changed);
+    pthread_mutex_unlock(&c->state);
+    return is;
 }
 
-void crew_each(unsigned threads, size_t count, void (*work)(void *data, size_t n), void *data)
+/* A place that is free; NULL where there is none yet, but one may be made, or where the work is over. */
+static void *take_spare(steps_crew *c)
 {
-    row r = {.work = work, .data = data};
-    steps_start(&r.left, count);
-    crew_run(threads < count ? threads : (unsigned)count, work_in_row, &r);
-    steps_free(&r.left);
+    pthread_mutex_lock(&c->state);
+    while (!c->spares && c->made == c->most && !c->is_over)
+        pthread_cond_wait(&c->has_changed, &c->state);
+    void *const place = c->spares && !c->is_over ? c->spare[--c->spares] : NULL;
+    pthread_mutex_unlock(&c->state);
+    return place;
+}
+
+static void *make_place(steps_crew *c)
+{
+    void *const place = c->work->begin ? c->work->begin(c->data) : c->data;
+    if (place)
+        c->places[c->made++] = place;
+    else
+        c->most = c->made;
+    return place;
+}
+
+static void *take_place(steps_crew *c)
+{
+    void *place = take_spare(c);
+    while (!place && c->made < c->most && !is_over(c, false)) {
+        place = make_place(c);
+        if (!place)
+            place = take_spare(c);
+    }
+    return place;
+}
+
+/* False where none is left. */
+static bool begin_step(steps_crew *c, void **place, size_t *n)
+{
+    pthread_mutex_lock(&c->finding);
+    *place = take_place(c);
+    *n = c->next;
+    const bool is_there = *place && (c->work->find ? c->work->find(c->data, *place, *n) : *n < c->work->count);
+    c->next += is_there;
+    if (!is_there)
+        is_over(c, true);
+    pthread_mutex_unlock(&c->finding);
+    return is_there;
+}
+
+/* Under the lock: nothing is begun any more. */
+static void note(steps_crew *c, int code)
+{
+    c->code = c->code ? c->code : code;
+    c->is_over |= code != 0;
+}
+
+static int tell(const steps_crew *c, void *place, size_t n) { return c->work->tell ? c->work->tell(c->data, place, n) : 0; }
+
+/* Under the lock, which is left meanwhile: all steps that are done and whose turn it is. */
+static void tell_in_order(steps_crew *c)
+{
+    for (begun_step *s; !c->is_telling && !c->code && (s = &c->steps[c->turn % PLACES_MAX])->is_done;) {
+        c->is_telling = true;
+        pthread_mutex_unlock(&c->state);
+        const int code = s->code ? s->code : tell(c, s->place, c->turn);
+        pthread_mutex_lock(&c->state);
+        s->is_done = c->is_telling = false;
+        c->turn++;
+        c->spare[c->spares++] = s->place;
+        note(c, code);
+        pthread_cond_broadcast(&c->has_changed);
+    }
+}
+
+static void end_step(steps_crew *c, void *place, size_t n, int code)
+{
+    pthread_mutex_lock(&c->state);
+    c->is_over |= code != 0;
+    if (c->work->is_told_in_order) {
+        c->steps[n % PLACES_MAX] = (begun_step){place, code, true};
+        tell_in_order(c);
+    } else {
+        note(c, code ? code : tell(c, place, n));
+        c->spare[c->spares++] = place;
+        pthread_cond_signal(&c->has_changed);
+    }
+    pthread_mutex_unlock(&c->state);
+}
+
+static void do_steps(void *data, unsigned thread)
+{
+    steps_crew *const c = data;
+    void *place;
+    (void)thread;
+    for (size_t n; begin_step(c, &place, &n);)
+        end_step(c, place, n, c->work->step(c->data, place, n));
+}
+
+static size_t least(size_t a, size_t b) { return a < b ? a : b; }
+
+int crew_do(const crew_work *work, void *data)
+{
+    const size_t wanted = work->threads ? work->threads : 1, threads = work->find ? wanted : least(wanted, work->count);
+    steps_crew c = {.work = work, .data = data, .most = least(threads * (work->each ? work->each : 1), PLACES_MAX)};
+    if (!threads)
+        return 0;
+    void *const first = make_place(&c); /* or no other thread is of use */
+    if (!first)
+        return MESSAGE_NO_MEMORY;
+    c.spare[c.spares++] = first;
+    pthread_mutex_init(&c.finding, NULL);
+    pthread_mutex_init(&c.state, NULL);
+    pthread_cond_init(&c.has_changed, NULL);
+    crew_run((unsigned)threads, do_steps, &c);
+    pthread_cond_destroy(&c.has_changed);
+    pthread_mutex_destroy(&c.state);
+    pthread_mutex_destroy(&c.finding);
+    for (size_t n = 0; n < c.made && work->end; n++)
+        work->end(c.places[n]);
+    return c.code;
 }

@@ -2,6 +2,9 @@
 #ifndef CREW_H
 #define CREW_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "processors.h"
 
 /*
@@ -11,7 +14,26 @@
  */
 void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void *data);
 
-/* Calls work(data, n) for each n from 0 to count - 1, in rising order as threads become free, and returns when all are done. */
-void crew_each(unsigned threads, size_t count, void (*work)(void *data, size_t n), void *data);
+/*
+ * A work in steps, which threads begin one after the other as they become free. A place is what a step works with and leaves its
+ * answer in: as many are made as are at work at once.
+ */
+typedef struct crew_work {
+    size_t count;     /* of the steps, where `find` does not tell */
+    unsigned threads; /* as above */
+    unsigned each;    /* places for each thread: steps may be done so far before their turn to be told; 0 counts as 1 */
+    bool is_told_in_order;
+    void *(*begin)(void *data); /* a place; NULL where there is no memory: fewer have to do. NULL: steps need none */
+    void (*end)(void *place);
+    bool (*find)(void *data, void *place, size_t n); /* what step n is about, one thread at a time; false: there is none any more */
+    int (*step)(void *data, void *place, size_t n);  /* anything but 0 ends the work */
+    int (*tell)(void *data, void *place, size_t n);  /* what step n found, one thread at a time; as above. NULL: nothing */
+} crew_work;
+
+/*
+ * Returns what ended the work, 0 where all is done, or MESSAGE_NO_MEMORY where there is no place at all. What is told in order does
+ * not depend on the number of threads: all steps before the one that failed.
+ */
+int crew_do(const crew_work *work, void *data);
 
 #endif

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "progress.h"
 
+#include <stdatomic.h>
 #include <stdio.h>
 
 #include "clock.h"
@@ -55,11 +56,8 @@ static void print_left(double seconds)
         fprintf(stderr, "%.0f s left", seconds);
 }
 
-void progress_tell(void *data, double done)
+static void draw(progress *bar, double done)
 {
-    progress *bar = data;
-    if (!bar->is_wanted)
-        return;
     const double now = clock_seconds(), taken = now - bar->start;
     if (taken < first_after || now - bar->last < again_after)
         return;
@@ -75,6 +73,16 @@ void progress_tell(void *data, double done)
         print_left(taken / done - taken);
     fputs("      ", stderr);
     fflush(stderr);
+}
+
+void progress_tell(void *data, double done)
+{
+    static atomic_flag is_drawn = ATOMIC_FLAG_INIT;
+    progress *const bar = data;
+    if (!bar->is_wanted || atomic_flag_test_and_set(&is_drawn))
+        return;
+    draw(bar, done);
+    atomic_flag_clear(&is_drawn);
 }
 
 void progress_end(progress *bar)

@@ -18,7 +18,7 @@ progress progress_start(const char *what, bool is_wanted);
 /* The same, which also shows how many of what are done, and how many in a second. */
 progress progress_start_of(const char *what, const char *unit, double total, bool is_wanted);
 
-/* Shows the share done, 0 to 1, of a `progress`. Cheap enough to be called a thousand times a second. */
+/* Shows the share done, 0 to 1, of a `progress`. Cheap enough to be called a thousand times a second, by any thread. */
 void progress_tell(void *bar, double done);
 
 /* Wipes the bar away. */

@@ -2,8 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "by_threads.h"
 
-#include <pthread.h>
-
 #include "console/crew.h"
 #include "tribox_threads.h"
 
@@ -14,22 +12,14 @@ typedef struct sharing {
     size_t count, each; /* triangles: of all, and of a part but the last */
     tribox_status (*work)(const void *data, size_t first, size_t count);
     const void *data;
-    pthread_mutex_t lock; /* of the status */
-    tribox_status status;
 } sharing;
 
-static void account(sharing *s, tribox_status status)
+static int share_part(void *data, void *place, size_t n)
 {
-    pthread_mutex_lock(&s->lock);
-    s->status = s->status ? s->status : status;
-    pthread_mutex_unlock(&s->lock);
-}
-
-static void share_part(void *data, size_t n)
-{
-    sharing *const s = data;
+    const sharing *const s = data;
     const size_t first = n * s->each, left = s->count - first;
-    account(s, s->work(s->data, first, left < s->each ? left : s->each));
+    (void)place;
+    return (int)s->work(s->data, first, left < s->each ? left : s->each);
 }
 
 /* Parts of whole blocks, one where it would be small. */
@@ -38,10 +28,7 @@ static tribox_status share(size_t count, unsigned threads, tribox_status (*work)
     const size_t fair = count / ((size_t)threads * PARTS_EACH), least = fair > PART_LEAST ? fair : PART_LEAST;
     sharing s = {.count = count, .work = work, .data = data};
     s.each = (least + TRIBOX_INDEX_BLOCK - 1) / TRIBOX_INDEX_BLOCK * TRIBOX_INDEX_BLOCK;
-    pthread_mutex_init(&s.lock, NULL);
-    crew_each(threads, (count + s.each - 1) / s.each, share_part, &s);
-    pthread_mutex_destroy(&s.lock);
-    return s.status;
+    return (tribox_status)crew_do(&(crew_work){.threads = threads, .count = (count + s.each - 1) / s.each, .step = share_part}, &s);
 }
 
 typedef struct sorting {
@@ -59,20 +46,24 @@ static tribox_status start(const void *data, size_t first, size_t count)
 }
 
 /* Each of the arguments is sound by now. */
-static void cut_part(void *data, size_t n)
+static int cut_part(void *data, void *place, size_t n)
 {
+    (void)place;
     sorting *const s = data;
     size_t *const at = s->first + n * (PARTS_MAX / s->parts), *const end = at + PARTS_MAX / s->parts;
     size_t before = 0;
     tribox_sort_cut(s->scratch, s->m->triangles, *at, *end - *at, &before);
     at[PARTS_MAX / s->parts / 2] = *at + before;
+    return 0;
 }
 
-static void finish_part(void *data, size_t n)
+static int finish_part(void *data, void *place, size_t n)
 {
+    (void)place;
     sorting *const s = data;
     const size_t step = PARTS_MAX / s->parts, first = s->first[n * step];
     tribox_sort_finish(s->scratch, s->m->triangles, first, s->first[(n + 1) * step] - first, s->order);
+    return 0;
 }
 
 tribox_status sort_by_threads(const mesh *m, unsigned threads, uint32_t *order, void *scratch)
@@ -82,8 +73,8 @@ tribox_status sort_by_threads(const mesh *m, unsigned threads, uint32_t *order, 
     if (status)
         return status;
     for (; s.parts < (size_t)threads * PARTS_EACH && s.parts < PARTS_MAX && m->triangles / s.parts > PART_LEAST; s.parts *= 2)
-        crew_each(threads, s.parts, cut_part, &s);
-    crew_each(threads, s.parts, finish_part, &s);
+        crew_do(&(crew_work){.threads = threads, .count = s.parts, .step = cut_part}, &s);
+    crew_do(&(crew_work){.threads = threads, .count = s.parts, .step = finish_part}, &s);
     return TRIBOX_OK;
 }
 

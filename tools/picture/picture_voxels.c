@@ -3,7 +3,6 @@
 #include "preview.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,8 +63,6 @@ typedef struct drawing {
     unsigned char *pixels;
     const picture_look *look;
     progress *bar;
-    pthread_mutex_t lock; /* of bar, and of what follows */
-    uint32_t done;        /* rows */
 } drawing;
 
 static float ramp(float lo, float hi, float x)
@@ -326,16 +323,16 @@ static void draw_pixel(const drawing *d, int column, int row, vec paper, unsigne
     memcpy(pixel, colour.at, sizeof colour.at);
 }
 
-static void draw_row(void *data, size_t row)
+static int draw_row(void *data, void *place, size_t row)
 {
-    drawing *const d = data;
+    const drawing *const d = data;
     const uint32_t columns = d->look->size[0], rows = d->look->size[1];
     const vec paper = mixed(paper_low, paper_high, ramp(0.1f, 1, 1 - (float)row / (float)rows));
+    (void)place;
     for (uint32_t column = 0; column < columns; column++)
         draw_pixel(d, (int)column, (int)row, paper, d->pixels + 3 * (row * columns + column));
-    pthread_mutex_lock(&d->lock);
-    progress_tell(d->bar, (double)++d->done / rows);
-    pthread_mutex_unlock(&d->lock);
+    progress_tell(d->bar, (double)(row + 1) / rows);
+    return 0;
 }
 
 static void place_all(drawing *d)
@@ -381,9 +378,7 @@ bool preview_pixels(const voxels *v, const picture_look *look, unsigned threads,
         place_all(&d);
         fill_view(&d, &d.eye);
         fill_view(&d, &d.sun);
-        pthread_mutex_init(&d.lock, NULL);
-        crew_each(threads, look->size[1], draw_row, &d);
-        pthread_mutex_destroy(&d.lock);
+        crew_do(&(crew_work){.threads = threads, .count = look->size[1], .step = draw_row}, &d);
     }
     free(d.eye.seen);
     free(d.sun.seen);

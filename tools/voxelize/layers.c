@@ -1,101 +1,403 @@
-/* layers.c - chooses how threads share a voxelization: not at all, by triangles, or by layers. */
+/* layers.c - threads share the triangles of a grid with few words, and the layers of others. */
 #define _POSIX_C_SOURCE 200809L
 #include "layers.h"
 
-#include <stddef.h>
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "console/crew.h"
 #include "console/pages.h"
-#include "layers_job.h"
-#include "layers_work.h"
-#include "own_words.h"
 
-/* What the library returns for these arguments but the triangles, before any thread starts. */
-static tribox_status check_layers(const voxel_task *task, uint32_t first, uint32_t layers, uint64_t *occupied)
+static size_t least(size_t a, size_t b) { return a < b ? a : b; }
+
+/* ----------------------------------------------------------------------------------------------------------------- what it takes */
+
+/* Some triangles one after the other. */
+enum { LAYERS_BLOCK = 128 };
+typedef struct layers_block {
+    double lo, hi;      /* no triangle reaches beyond these along z; one with a NaN, which overlaps nothing, may */
+    double nanoseconds; /* roughly */
+} layers_block;
+
+/* Nanoseconds, roughly: only their ratio matters to the balance, their size to the number of threads. */
+static const float triangle_cost = 3, row_cost = 3.5F;
+
+/* Floats in the order of integers, which compilers compare many at once: numbers as they are, NaN beyond the infinities. */
+static int32_t key_of(float x)
 {
-    const tribox_soup nothing = {.count = 0};
-    const tribox_window none = {{0, 0, first}, {task->grid.size[0], task->grid.size[1], 0}};
-    const tribox_status status = tribox_voxelize(&nothing, &task->grid, &none, task->options, occupied, NULL);
-    return status ? status : layers > task->grid.size[2] - first ? TRIBOX_BAD_ARGUMENT : TRIBOX_OK;
+    int32_t key;
+    memcpy(&key, &x, sizeof key);
+    return key ^ (key >> 31 & INT32_MAX);
 }
 
-/* In pieces, so that progress is reported meanwhile. */
-static void run_alone(layers_job *job)
+static double number_of(int32_t key, double instead_of_nan)
 {
-    enum { WINDOW = 1 << 17 };
-    const size_t all = job->task->count, most = job->progress ? WINDOW : all;
-    for (size_t start = 0, count; start < all; start += count) {
-        count = all - start < most ? all - start : most;
-        const tribox_report found = layers_job_run(job, start, count, job->first, job->layers, job->occupied);
-        layers_job_tell(job, (double)count / (double)all, found);
+    const int32_t bits = key ^ (key >> 31 & INT32_MAX);
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return isnan(x) ? instead_of_nan : (double)x;
+}
+
+static void set_bounds(layers_block *block, const float *const z[3], size_t count)
+{
+    int32_t lo = INT32_MAX, hi = INT32_MIN;
+    for (int v = 0; v < 3; v++) {
+        const float *const from = z[v];
+        for (size_t t = 0; t < count; t++) {
+            const int32_t key = key_of(from[t]);
+            lo = key < lo ? key : lo;
+            hi = key > hi ? key : hi;
+        }
     }
+    block->lo = number_of(lo, -INFINITY);
+    block->hi = number_of(hi, INFINITY);
+}
+
+/* Twice the length from the least to the greatest of three numbers. */
+static float twice_extent(float a, float b, float c) { return fabsf(a - b) + fabsf(b - c) + fabsf(c - a); }
+
+/* Loops without a sum from one triangle to the next are taken many at once. */
+static double work_of(const voxel_task *task, const float *const y[3], const float *const z[3], size_t count)
+{
+    const float across = (float)(0.5 / task->grid.cell[1]), up = (float)(0.5 / task->grid.cell[2]);
+    const float *const y0 = y[0], *const y1 = y[1], *const y2 = y[2], *const z0 = z[0], *const z1 = z[1], *const z2 = z[2];
+    float cost[LAYERS_BLOCK] = {0};
+    for (size_t t = 0; t < count; t++) {
+        const float rows = across * twice_extent(y0[t], y1[t], y2[t]), layers = up * twice_extent(z0[t], z1[t], z2[t]);
+        cost[t] = triangle_cost + row_cost * rows * (1 + layers);
+    }
+    for (size_t half = LAYERS_BLOCK / 2; half; half /= 2)
+        for (size_t t = 0; t < half; t++)
+            cost[t] += cost[t + half];
+    return cost[0] < INFINITY ? (double)cost[0] : (double)triangle_cost * (double)count;
+}
+
+static layers_block block_of(const voxel_task *task, const float *const y[3], const float *const z[3], size_t count)
+{
+    layers_block block = {.nanoseconds = work_of(task, y, z, count)};
+    set_bounds(&block, z, count);
+    return block;
+}
+
+/* Bounds are those of the doubles; the work takes no more than floats. */
+static layers_block block_of_doubles(const voxel_task *task, size_t start, size_t count)
+{
+    float y[3][LAYERS_BLOCK], z[3][LAYERS_BLOCK];
+    double lo = INFINITY, hi = -INFINITY;
+    for (size_t t = 0; t < count; t++) {
+        double u[3][3];
+        voxel_task_triangle(task, start + t, u);
+        for (int v = 0; v < 3; v++) {
+            lo = u[2][v] < lo ? u[2][v] : lo;
+            hi = u[2][v] > hi ? u[2][v] : hi;
+            y[v][t] = (float)u[1][v];
+            z[v][t] = (float)u[2][v];
+        }
+    }
+    layers_block block =
+        block_of(task, (const float *const[3]){y[0], y[1], y[2]}, (const float *const[3]){z[0], z[1], z[2]}, count);
+    block.lo = lo;
+    block.hi = hi;
+    return block;
+}
+
+static layers_block look_at_block(const voxel_task *task, size_t start, size_t count)
+{
+    const tribox_soup *const soup = task->soup;
+    if (!soup)
+        return block_of_doubles(task, start, count);
+    const float *const y[3] = {soup->y[0] + start, soup->y[1] + start, soup->y[2] + start};
+    const float *const z[3] = {soup->z[0] + start, soup->z[1] + start, soup->z[2] + start};
+    return block_of(task, y, z, count);
+}
+
+/* Without the box axes every cell of every layer is tested against every triangle. */
+static bool is_everywhere(const tribox_options *options) { return options && options->axes && !(options->axes & TRIBOX_AXES_BOX); }
+
+static double sample_work(const voxel_task *task)
+{
+    enum { BLOCKS = 16, FEW = 16 };
+    double sum = 0;
+    size_t seen = 0;
+    if (is_everywhere(task->options))
+        return (double)task->count * task->grid.size[1] * task->grid.size[2];
+    for (size_t b = 0; b < BLOCKS; b++) {
+        const size_t start = task->count / BLOCKS * b, left = task->count - start, count = left < FEW ? left : FEW;
+        sum += look_at_block(task, start, count).nanoseconds;
+        seen += count;
+    }
+    return seen ? sum / (double)seen * (double)task->count : 0;
+}
+
+/* Equal parts of the layers: one layer each, or several. */
+enum { BINS_MAX = 4096 };
+
+static int bin_of(double place, uint32_t layers, int bins)
+{
+    const double bin = place * bins / layers;
+    return !(bin > 0) ? 0 : bin < bins ? (int)bin : bins - 1;
+}
+
+/* Adds the work of a block to the rise of the work from bin to bin: it is spread over the block's layers. */
+static void add_block(const tribox_grid *grid, const layers_block *block, int bins, double *rise)
+{
+    const double lo = (block->lo - grid->origin[2]) / grid->cell[2], hi = (block->hi - grid->origin[2]) / grid->cell[2];
+    if (!(hi >= 0 && lo <= grid->size[2]))
+        return;
+    const int from = bin_of(lo, grid->size[2], bins), to = bin_of(hi, grid->size[2], bins);
+    const double in_bin = block->nanoseconds / (to - from + 1);
+    rise[from] += in_bin;
+    rise[to + 1] -= in_bin;
+}
+
+/* ------------------------------------------------------------------------------------------------------------------- triangles */
+
+/* Up to so many words of one's own are put together faster than triangles are looked at twice: a strip of them at a time. */
+enum { OWN_WORDS = 1 << 18, STRIP = 1 << 12 };
+
+/* Triangles in a step: enough for a call, and steps enough for threads to end together, or for progress to be seen. */
+enum { STEP_LEAST = 512, STEP_MOST = 1 << 15, STEPS_EACH = 8, WINDOW = 1 << 17 };
+
+/* Slabs for each thread. */
+enum { EACH = 2, SLABS_MAX = EACH * THREADS_MAX };
+
+typedef struct own_words {
+    uint64_t *words;
+    tribox_report found;
+} own_words;
+
+typedef struct layers_job {
+    const voxel_task *task;
+    uint64_t *occupied;
+    size_t words, layer_words; /* of all layers, and of one */
+    unsigned threads;
+    progress *bar;      /* NULL for none */
+    double all;         /* what is done in the end */
+    atomic_size_t done; /* of this */
+
+    size_t step; /* triangles that are taken at once */
+    own_words own[THREADS_MAX];
+    unsigned owners; /* the first has the words of the grid */
+    size_t added[OWN_WORDS / STRIP];
+
+    size_t blocks, slabs;
+    layers_block *block;
+    bool can_skip;                  /* blocks that do not reach a slab */
+    uint32_t border[SLABS_MAX + 1]; /* slab s: the layers border[s] .. border[s + 1] - 1 */
+    tribox_report found[SLABS_MAX];
+} layers_job;
+
+static void tell(layers_job *job, size_t more)
+{
+    const size_t done = atomic_fetch_add(&job->done, more) + more;
+    if (job->bar)
+        progress_tell(job->bar, (double)done / job->all);
+}
+
+static void add_report(tribox_report *to, tribox_report found)
+{
+    to->overlapping += found.overlapping;
+    to->undecided += found.undecided;
+}
+
+static void *take_words(void *data)
+{
+    layers_job *const job = data;
+    own_words *const own = &job->own[job->owners];
+    own->words = job->owners ? pages_take(job->words * sizeof *own->words) : job->occupied;
+    job->owners += own->words != NULL;
+    return own->words ? own : NULL;
+}
+
+static int set_cells(void *data, void *place, size_t n)
+{
+    layers_job *const job = data;
+    own_words *const own = place;
+    const size_t start = n * job->step, count = least(job->step, job->task->count - start);
+    tribox_report found = {0, 0};
+    const tribox_status status = voxel_task_run(job->task, start, count, 0, job->task->grid.size[2], own->words, &found);
+    add_report(&own->found, found);
+    tell(job, count);
+    return (int)status;
+}
+
+/* Puts a strip of the words together, and counts what the others add to the first. */
+static int put_together(void *data, void *place, size_t n)
+{
+    layers_job *const job = data;
+    const size_t from = n * STRIP, count = least(STRIP, job->words - from);
+    uint64_t *const to = job->occupied + from;
+    const size_t before = tribox_mask_indices(to, 64 * count, NULL);
+    (void)place;
+    for (unsigned t = 1; t < job->owners; t++)
+        for (size_t i = 0; i < count; i++)
+            to[i] |= job->own[t].words[from + i];
+    job->added[n] = tribox_mask_indices(to, 64 * count, NULL) - before;
+    return 0;
+}
+
+/* Each thread sets cells of its own, which are put together at the end; a single one sets those of the grid. */
+static int share_triangles(layers_job *job, tribox_report *report)
+{
+    const size_t count = job->task->count, step = count / (STEPS_EACH * job->threads);
+    job->all = (double)count;
+    job->step = job->threads == 1   ? (job->bar && job->bar->is_wanted ? WINDOW : count + !count)
+                : step < STEP_LEAST ? STEP_LEAST
+                                    : least(step, STEP_MOST);
+    const crew_work cells = {
+        .threads = job->threads, .count = (count + job->step - 1) / job->step, .begin = take_words, .step = set_cells};
+    int status = crew_do(&cells, job);
+    const size_t strips = job->owners > 1 ? (job->words + STRIP - 1) / STRIP : 0;
+    if (!status)
+        status = crew_do(&(crew_work){.threads = job->threads, .count = strips, .step = put_together}, job);
+    report->overlapping = job->own[0].found.overlapping;
+    for (size_t n = 0; n < strips; n++)
+        report->overlapping += job->added[n];
+    for (unsigned t = 0; t < job->owners; t++)
+        report->undecided += job->own[t].found.undecided;
+    for (unsigned t = 1; t < job->owners; t++)
+        pages_free(job->own[t].words, job->words * sizeof *job->occupied);
+    return status;
+}
+
+/* ----------------------------------------------------------------------------------------------------------------------- layers */
+
+/*
+ * A slab skips blocks of triangles that do not reach it: neighbours in a mesh lie side by side, so that few blocks are in two
+ * slabs. Runs of blocks go to the library WINDOW triangles at a time, so that progress is reported meanwhile; a gap of GAP blocks
+ * between two of them costs no more than a call. Bounds are found LOOK blocks at a time.
+ */
+enum { GAP = 4, LOOK = 64 };
+
+static size_t block_triangles(const layers_job *job, size_t from, size_t to)
+{
+    return least(to * LAYERS_BLOCK, job->task->count) - from * LAYERS_BLOCK;
+}
+
+static int look_at_blocks(void *data, void *place, size_t n)
+{
+    const layers_job *const job = data;
+    (void)place;
+    for (size_t b = n * LOOK; b < least((n + 1) * LOOK, job->blocks); b++)
+        job->block[b] = look_at_block(job->task, b * LAYERS_BLOCK, block_triangles(job, b, b + 1));
+    return 0;
+}
+
+/* Cuts the layers into slabs of about equal work, by the blocks of all triangles. */
+static void cut_layers(layers_job *job)
+{
+    const tribox_grid *const grid = &job->task->grid;
+    const uint32_t layers = grid->size[2];
+    const int bins = layers < BINS_MAX ? (int)layers : BINS_MAX;
+    double up_to[BINS_MAX + 1] = {0}, in_bin = 0, sum = 0;
+    for (size_t b = 0; b < job->blocks; b++)
+        add_block(grid, &job->block[b], bins, up_to);
+    for (int b = 0; b < bins; b++) {
+        in_bin += up_to[b];
+        sum += (in_bin > 0 ? in_bin : 0) + 1; /* a little for each, so that slabs without triangles have layers */
+        up_to[b] = sum;
+    }
+    for (size_t s = 0, b = 0; s <= job->slabs; s++) {
+        while (b < (size_t)bins && up_to[b] < sum * (double)s / (double)job->slabs)
+            b++;
+        job->border[s] = (uint32_t)((uint64_t)layers * b / (uint64_t)bins);
+    }
+    job->border[0] = 0;
+    job->border[job->slabs] = layers;
+}
+
+/* The lowest plane of a slab and the highest. */
+typedef struct slab_planes {
+    double lo, hi;
+} slab_planes;
+
+static bool reaches(const layers_job *job, size_t block, slab_planes slab)
+{
+    return !job->can_skip || (job->block[block].lo <= slab.hi && job->block[block].hi >= slab.lo);
+}
+
+/* Where the run ends that begins at this block: after blocks that reach the slab, and short gaps between them. */
+static size_t run_end(const layers_job *job, size_t from, slab_planes slab)
+{
+    size_t end = from + 1;
+    for (size_t b = end; b < job->blocks && b - end <= GAP && (b - from) * LAYERS_BLOCK < WINDOW; b++)
+        if (reaches(job, b, slab))
+            end = b + 1;
+    return end;
+}
+
+static int run_slab(void *data, void *place, size_t n)
+{
+    layers_job *const job = data;
+    const tribox_grid *const grid = &job->task->grid;
+    const uint32_t from = job->border[n], to = job->border[n + 1];
+    const slab_planes planes = {tribox_grid_cell(grid, 0, 0, from).lo[2], tribox_grid_cell(grid, 0, 0, to - 1).hi[2]};
+    tribox_status status = TRIBOX_OK;
+    size_t skipped = 0;
+    (void)place;
+    for (size_t b = 0, end; from < to && b < job->blocks && !status; b = end) {
+        tribox_report found = {0, 0};
+        const bool is_in = reaches(job, b, planes);
+        end = is_in ? run_end(job, b, planes) : b + 1;
+        skipped += end - b;
+        if (!is_in)
+            continue;
+        status = voxel_task_run(job->task, b * LAYERS_BLOCK, block_triangles(job, b, end), from, to - from,
+                                job->occupied + from * job->layer_words, &found);
+        add_report(&job->found[n], found);
+        tell(job, skipped);
+        skipped = 0;
+    }
+    return (int)status;
+}
+
+/* Only for the true answer do bounds alone say that triangles miss a slab, and only where boxes are asked. */
+static bool do_bounds_tell(const tribox_options *options)
+{
+    return !options || (options->accuracy == TRIBOX_EXACT && (!options->axes || options->axes & TRIBOX_AXES_BOX));
+}
+
+/* The threads take slabs in turn, which own their words. */
+static int share_layers(layers_job *job, tribox_report *report)
+{
+    job->can_skip = do_bounds_tell(job->task->options);
+    job->slabs = EACH * job->threads;
+    job->all = (double)job->blocks * (double)job->slabs;
+    crew_do(&(crew_work){.threads = job->threads, .count = (job->blocks + LOOK - 1) / LOOK, .step = look_at_blocks}, job);
+    cut_layers(job);
+    const int status = crew_do(&(crew_work){.threads = job->threads, .count = job->slabs, .step = run_slab}, job);
+    for (size_t s = 0; s < job->slabs; s++)
+        add_report(report, job->found[s]);
+    return status;
 }
 
 /* A thread more has to have a share of its own, in nanoseconds, that is worth starting it. */
-static unsigned threads_for(const layers_job *job, unsigned asked)
+static unsigned threads_for(const voxel_task *task, unsigned asked)
 {
-    static const double least = 1e5;
+    static const double least_share = 1e5;
     const unsigned most = asked < THREADS_MAX ? asked : THREADS_MAX;
     if (most < 2)
         return 1;
-    const double worth = layers_work_sample(job->task) / least;
+    const double worth = sample_work(task) / least_share;
     return worth < 1 ? 1 : worth < most ? (unsigned)worth : most;
 }
 
-static void run(layers_job *job, unsigned threads)
+tribox_status voxelize_in_threads(const voxel_task *task, unsigned threads, uint64_t *occupied, tribox_report *report,
+                                  progress *bar)
 {
-    job->threads = threads_for(job, threads);
-    if (job->threads == 1)
-        run_alone(job);
-    else if (job->layer_words * job->layers <= OWN_WORDS_BYTES / sizeof *job->occupied)
-        layers_by_triangles(job);
-    else
-        layers_by_slabs(job);
-}
-
-static layers_job job_of(const voxel_task *task, uint32_t first, uint32_t layers, uint64_t *occupied,
-                         void (*progress)(void *data, double done), void *data)
-{
-    layers_job job = {.task = task, .occupied = occupied, .first = first, .layers = layers, .progress = progress, .data = data};
+    tribox_report found = {0, 0};
+    layers_job job = {.task = task, .occupied = occupied, .threads = threads_for(task, threads), .bar = bar};
     job.layer_words = tribox_mask_words(task->grid.size[0]) * task->grid.size[1];
-    pthread_mutex_init(&job.lock, NULL);
-    return job;
-}
-
-static tribox_status end_job(layers_job *job, tribox_report *report)
-{
-    pthread_mutex_destroy(&job->lock);
-    if (!job->status && report)
-        *report = job->report;
-    return job->status;
-}
-
-tribox_status voxelize_in_threads(const voxel_task *task, uint32_t first, uint32_t layers, unsigned threads, uint64_t *occupied,
-                                  tribox_report *report, void (*progress)(void *data, double done), void *data)
-{
-    const tribox_status status = check_layers(task, first, layers, occupied);
-    if (status)
-        return status;
-    layers_job job = job_of(task, first, layers, occupied, progress, data);
-    if (layers)
-        run(&job, threads);
-    return end_job(&job, report);
-}
-
-tribox_status voxelize_layers_apart(const voxel_task *task, unsigned threads, const layers_taker *taker, tribox_report *report,
-                                    void (*progress)(void *data, double done), void *data)
-{
-    const uint32_t layers = task->grid.size[2];
-    const tribox_status status = check_layers(task, 0, layers, (uint64_t[]){0});
-    if (status)
-        return status;
-    layers_job job = job_of(task, 0, layers, NULL, progress, data);
-    job.taker = taker;
-    job.threads = threads_for(&job, threads);
-    const size_t bytes = layers_apart_step(&job) * job.layer_words * sizeof *job.occupied;
-    job.occupied = pages_take(bytes);
-    job.status = job.occupied ? TRIBOX_OK : TRIBOX_STOPPED;
-    if (job.occupied)
-        layers_by_slabs(&job);
-    pages_free(job.occupied, bytes);
-    return end_job(&job, report);
+    job.words = job.layer_words * task->grid.size[2];
+    job.blocks = (task->count + LAYERS_BLOCK - 1) / LAYERS_BLOCK;
+    job.block = job.threads > 1 && job.words > OWN_WORDS ? malloc(job.blocks * sizeof *job.block) : NULL;
+    if (!job.block && job.words > OWN_WORDS)
+        job.threads = 1;
+    const int status = job.block ? share_layers(&job, &found) : share_triangles(&job, &found);
+    free(job.block);
+    if (!status && report)
+        *report = found;
+    return (tribox_status)status;
 }

@@ -21,7 +21,6 @@ typedef struct listing {
     const tribox_options *options;
     size_t runs;
     size_t *places; /* of each run: by tile, how many, and then where */
-    tribox_status status[RUNS_MAX];
     uint32_t *list; /* NULL to count */
 } listing;
 
@@ -33,20 +32,17 @@ static uint32_t *take_numbers(size_t count)
 
 static size_t *places_of(const listing *l, size_t run) { return l->places + run * l->tiles->count; }
 
-static void list_run(void *data, size_t run)
+static int list_run(void *data, void *place, size_t run)
 {
-    listing *const l = data;
+    const listing *const l = data;
+    (void)place;
     const size_t each = l->task->count / l->runs, first = each * run, count = run + 1 < l->runs ? each : l->task->count - first;
-    l->status[run] = voxel_task_lists(l->task, first, count, l->tiles, l->options, places_of(l, run), l->list);
+    return (int)voxel_task_lists(l->task, first, count, l->tiles, l->options, places_of(l, run), l->list);
 }
 
 static tribox_status list_runs(listing *l, unsigned threads)
 {
-    tribox_status status = TRIBOX_OK;
-    crew_each(threads, l->runs, list_run, l);
-    for (size_t n = 0; n < l->runs && !status; n++)
-        status = l->status[n];
-    return status;
+    return (tribox_status)crew_do(&(crew_work){.threads = threads, .count = l->runs, .step = list_run}, l);
 }
 
 /* In each tile the runs follow each other. */

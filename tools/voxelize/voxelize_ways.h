@@ -1,4 +1,4 @@
-/* voxelize_ways.h - the ways from a mesh to a file: the whole grid in memory, some layers at a time, and tile by tile. */
+/* voxelize_ways.h - the ways from a mesh to a file: the whole grid in memory, and tile by tile. */
 #ifndef VOXELIZE_WAYS_H
 #define VOXELIZE_WAYS_H
 
@@ -24,9 +24,6 @@ typedef struct voxelize_files {
 
 /* A mesh into the words of its whole grid, filled if that is wanted, and into files. Returns an exit_code. */
 int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a);
-
-/* Some layers at a time into a dense file, for what needs no words of the whole grid. Returns an exit_code. */
-int voxelize_apart(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a);
 
 /* The mesh as what is to be voxelized into this grid. */
 voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in);

@@ -54,13 +54,12 @@ static int take_memory(whole *w)
 
 static int run(whole *w, progress *bar, tribox_report *report)
 {
-    void (*const tell)(void *, double) = bar->is_wanted ? progress_tell : NULL;
     voxel_task task = voxelize_task(w->r, w->in);
     task.is_thin = w->r->is_thin;
     task.has_ids = w->in->colours != NULL;
     if (task.has_ids)
         return coloured_cells_make(&task, w->in->colours, w->r->threads, w->surface, &w->colours, bar, report);
-    return message_status(voxelize_in_threads(&task, 0, w->cells.grid.size[2], w->r->threads, w->surface, report, tell, bar));
+    return message_status(voxelize_in_threads(&task, w->r->threads, w->surface, report, bar));
 }
 
 static int voxelize(whole *w, voxelize_answer *a)

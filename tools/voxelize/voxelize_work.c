@@ -9,7 +9,6 @@
 #include "console/interrupt.h"
 #include "console/memory.h"
 #include "console/message.h"
-#include "layers.h"
 #include "voxelize_ways.h"
 
 /*
@@ -57,15 +56,6 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
                     triangle_file_name(r->from.mesh_path), odd_rows);
 }
 
-/* Neither a filling nor a picture needs all cells, and the file takes layers in any order. */
-static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
-{
-    const bool is_wanted =
-        in->mesh && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids && !r->is_count && r->result.format->frame;
-    const voxel_task task = voxelize_task(r, in);
-    return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
-}
-
 static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
     a->cells = in->cells;
@@ -75,8 +65,6 @@ static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_
             return code;
     }
     volume_note_shift(r->result.format, r->result.out_path, &in->cells);
-    if (takes_layers(r, in, files))
-        return voxelize_apart(r, in, files, a);
     return takes_whole(r, in) ? voxelize_whole(r, in, files, a) : voxelize_by_tiles(r, in, files, a);
 }
 
