@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "fill_tiles.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 
 #include "beam.h"
@@ -12,104 +11,86 @@
 #include "outside.h"
 #include "parity_beams.h"
 
-typedef struct crew {
+typedef struct beam_job {
     const beams *beams;
     const beam_filling *filling;
     const filled_sink *sink;
     progress *bar;
-    pthread_mutex_t lock; /* of what follows */
-    pthread_cond_t turned;
-    size_t next, turn; /* beams that were taken, and handed on */
     beam_found found;
-    tribox_status status; /* the first that is not OK ends the work */
-} crew;
+} beam_job;
 
-static bool take_beam(crew *c, size_t *beam)
+/* Where a beam is filled. */
+typedef struct beam_place {
+    const beam_filling *filling;
+    void *room;
+    beam_solid solid;
+    beam_found found;
+} beam_place;
+
+static void end_place(void *place)
 {
-    pthread_mutex_lock(&c->lock);
-    const bool is_left = !c->status && c->next < c->beams->count;
-    *beam = c->next;
-    c->next += is_left;
-    pthread_mutex_unlock(&c->lock);
-    return is_left;
+    beam_place *const p = place;
+    if (p->room)
+        p->filling->end(p->room);
+    free(p->solid.tiles);
+    free(p);
 }
 
-/* Returns whether the work goes on. */
-static bool wait_turn(crew *c, size_t beam)
+static void *begin_place(void *data)
 {
-    pthread_mutex_lock(&c->lock);
-    while (c->turn < beam && !c->status)
-        pthread_cond_wait(&c->turned, &c->lock);
-    const bool goes_on = !c->status;
-    pthread_mutex_unlock(&c->lock);
-    return goes_on;
+    const beam_job *const j = data;
+    beam_place *const p = calloc(1, sizeof *p);
+    if (!p)
+        return NULL;
+    p->filling = j->filling;
+    p->solid.tiles = malloc(j->beams->tiles * sizeof *p->solid.tiles);
+    p->room = p->solid.tiles ? j->filling->start(j->filling->about) : NULL;
+    if (p->room)
+        return p;
+    end_place(p);
+    return NULL;
 }
 
-static void account(crew *c, tribox_status status, const beam_found *found)
+static int fill_beam(void *data, void *place, size_t beam)
 {
-    pthread_mutex_lock(&c->lock);
-    if (status && !c->status)
-        c->status = status;
-    c->turn++;
-    c->found.report.overlapping += found->report.overlapping;
-    c->found.report.undecided += found->report.undecided;
-    c->found.bricks += found->bricks;
-    c->found.inside += found->inside;
-    c->found.odd_rows += found->odd_rows;
-    if (!status)
-        progress_tell(c->bar, (double)c->turn / (double)c->beams->count);
-    pthread_cond_broadcast(&c->turned);
-    pthread_mutex_unlock(&c->lock);
+    const beam_job *const j = data;
+    beam_place *const p = place;
+    p->solid.count = 0;
+    p->found = (beam_found){.bricks = 0};
+    return (int)j->filling->fill(j->filling->about, p->room, beam, &p->solid, &p->found);
 }
 
-/* Without a sink there is nothing to wait for, but turns are counted. */
-static void run_beam(crew *c, size_t beam, void *room, beam_solid *solid)
+static int hand_on(void *data, void *place, size_t beam)
 {
-    beam_found found = {.bricks = 0};
-    solid->count = 0;
-    tribox_status status = c->filling->fill(c->filling->about, room, beam, solid, &found);
-    if (!status && (!c->sink || wait_turn(c, beam)))
-        for (size_t n = 0; n < solid->count && !status; n++)
-            status = tile_cells_cut(&solid->tiles[n], c->sink, &found.bricks) ? TRIBOX_STOPPED : TRIBOX_OK;
-    account(c, status, &found);
-}
-
-static void no_memory(crew *c, unsigned thread)
-{
-    pthread_mutex_lock(&c->lock);
-    if (!thread && !c->status)
-        c->status = MESSAGE_NO_MEMORY;
-    pthread_cond_broadcast(&c->turned);
-    pthread_mutex_unlock(&c->lock);
-}
-
-/* Threads for which there is no memory leave the work to the others; the first is to have it. */
-static void work(void *data, unsigned thread)
-{
-    crew *const c = data;
-    beam_solid solid = {.tiles = malloc(c->beams->tiles * sizeof *solid.tiles)};
-    void *const room = solid.tiles ? c->filling->start(c->filling->about) : NULL;
-    if (!room)
-        no_memory(c, thread);
-    for (size_t beam; room && take_beam(c, &beam);)
-        run_beam(c, beam, room, &solid);
-    if (room)
-        c->filling->end(room);
-    free(solid.tiles);
+    beam_job *const j = data;
+    beam_place *const p = place;
+    for (size_t n = 0; n < p->solid.count; n++)
+        if (tile_cells_cut(&p->solid.tiles[n], j->sink, &p->found.bricks))
+            return TRIBOX_STOPPED;
+    j->found.report.overlapping += p->found.report.overlapping;
+    j->found.report.undecided += p->found.report.undecided;
+    j->found.bricks += p->found.bricks;
+    j->found.inside += p->found.inside;
+    j->found.odd_rows += p->found.odd_rows;
+    progress_tell(j->bar, (double)(beam + 1) / (double)j->beams->count);
+    return 0;
 }
 
 /* sink: NULL to count alone. Returns what the filling or the sink ended with, or MESSAGE_NO_MEMORY. */
-static tribox_status beam_crew_run(const beams *b, const beam_filling *filling, unsigned threads, const filled_sink *sink,
-                                   progress *bar, beam_found *found)
+static tribox_status fill_beams(const beams *b, const beam_filling *filling, unsigned threads, const filled_sink *sink,
+                                progress *bar, beam_found *found)
 {
-    crew c = {.beams = b, .filling = filling, .sink = sink, .bar = bar};
-    pthread_mutex_init(&c.lock, NULL);
-    pthread_cond_init(&c.turned, NULL);
-    crew_run(threads, work, &c);
-    pthread_cond_destroy(&c.turned);
-    pthread_mutex_destroy(&c.lock);
-    *found = c.found;
-    return c.status;
+    const crew_work work = {.threads = threads,
+                            .count = b->count,
+                            .is_told_in_order = true,
+                            .begin = begin_place,
+                            .end = end_place,
+                            .step = fill_beam,
+                            .tell = hand_on};
+    beam_job j = {.beams = b, .filling = filling, .sink = sink, .bar = bar};
+    const int status = crew_do(&work, &j);
+    *found = j.found;
+    return (tribox_status)status;
 }
 
 static tribox_status fill_parity(const beams *b, const double x[2], unsigned threads, const filled_sink *sink, progress *bar,
@@ -119,7 +100,7 @@ static tribox_status fill_parity(const beams *b, const double x[2], unsigned thr
     tribox_status status = parity_start(b, x[0], x[1], &p);
     if (!status) {
         const beam_filling filling = parity_filling(&p);
-        status = beam_crew_run(b, &filling, threads, sink, bar, found);
+        status = fill_beams(b, &filling, threads, sink, bar, found);
     }
     parity_end(&p);
     return status;
@@ -131,7 +112,7 @@ static tribox_status fill_outside(const beams *b, unsigned threads, const filled
     tribox_status status = outside_start(b, threads, bar, &o);
     if (!status) {
         const beam_filling filling = outside_filling(&o);
-        status = beam_crew_run(b, &filling, threads, sink, bar, found);
+        status = fill_beams(b, &filling, threads, sink, bar, found);
     }
     outside_end(&o);
     return status;

@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "outside.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,13 +18,23 @@ typedef struct outside_room {
     size_t most;
     uint64_t *mask; /* of labels */
     size_t mask_words;
+    uint32_t *faces[6], labels; /* of the tile, in the first pass */
 } outside_room;
 
 static size_t tile_word_count(const tile_set *set) { return tribox_mask_words(set->tile) * set->tile * set->tile; }
 
+static void free_faces(outside_room *r)
+{
+    for (int face = 0; face < 6; face++) {
+        free(r->faces[face]);
+        r->faces[face] = NULL;
+    }
+}
+
 static void end_room(void *data)
 {
     outside_room *const r = data;
+    free_faces(r);
     if (r->tile)
         tile_room_free(r->tile);
     free(r->surface);
@@ -53,82 +62,57 @@ static void *start_room(const void *about)
 
 /* ------------------------------------------------------------------------------------------------------------------- first pass */
 
-typedef struct label_crew {
+typedef struct labelling {
     outside *o;
     progress *bar;
-    pthread_mutex_t lock; /* of what follows, and of the labels */
-    size_t next;
-    tribox_status status;
-} label_crew;
+} labelling;
 
-static bool take_record(label_crew *c, size_t *record)
+static void *start_labelling(void *data)
 {
-    pthread_mutex_lock(&c->lock);
-    const size_t count = c->o->beams->set->count;
-    const bool is_left = !c->status && c->next < count;
-    *record = c->next;
-    c->next += is_left;
-    if (is_left)
-        progress_tell(c->bar, (double)c->next / (double)count);
-    pthread_mutex_unlock(&c->lock);
-    return is_left;
+    const labelling *const l = data;
+    return start_room(l->o);
 }
 
-static void add_tile(label_crew *c, size_t record, uint32_t *faces[6], uint32_t count, tribox_status status)
+static int label_tile(void *data, void *place, size_t record)
 {
-    pthread_mutex_lock(&c->lock);
-    if (!status && !outside_labels_add(&c->o->labels, record, faces, count))
-        status = MESSAGE_NO_MEMORY;
-    if (status && !c->status)
-        c->status = status;
-    pthread_mutex_unlock(&c->lock);
-}
-
-static void label_tile(label_crew *c, size_t record, outside_room *r)
-{
-    const tile_set *const set = c->o->beams->set;
+    const labelling *const l = data;
+    const tile_set *const set = l->o->beams->set;
+    outside_room *const r = place;
     const tribox_window w = tile_cells_of(set, (size_t)set->records[record].tile);
     tribox_report report;
-    uint32_t *faces[6], count = 0;
-    bool has_room = true;
+    tribox_status status = TRIBOX_OK;
     for (int face = 0; face < 6; face++) {
-        faces[face] = malloc(outside_face_cells(&w, face) * sizeof *faces[face]);
-        has_room = has_room && faces[face];
+        r->faces[face] = malloc(outside_face_cells(&w, face) * sizeof *r->faces[face]);
+        status = r->faces[face] ? status : MESSAGE_NO_MEMORY;
     }
-    tribox_status status = has_room ? TRIBOX_OK : MESSAGE_NO_MEMORY;
     if (!status)
         status = tile_words_take(set, record, record + 1, r->tile, &(tile_words){w, r->surface}, &report);
-    if (!status)
-        status = tribox_fill_labels(w.size, r->surface, r->scratch, faces, &count);
-    add_tile(c, record, faces, count, status);
-    for (int face = 0; face < 6; face++)
-        free(faces[face]);
+    return status ? (int)status : (int)tribox_fill_labels(w.size, r->surface, r->scratch, r->faces, &r->labels);
 }
 
-static void label_tiles(void *data, unsigned thread)
+static int add_tile(void *data, void *place, size_t record)
 {
-    label_crew *const c = data;
-    outside_room *const r = start_room(c->o);
-    if (!r && !thread)
-        add_tile(c, 0, NULL, 0, MESSAGE_NO_MEMORY);
-    for (size_t record; r && take_record(c, &record);)
-        label_tile(c, record, r);
-    if (r)
-        end_room(r);
+    const labelling *const l = data;
+    outside_room *const r = place;
+    const bool is_added = outside_labels_add(&l->o->labels, record, r->faces, r->labels);
+    free_faces(r);
+    progress_tell(l->bar, (double)(record + 1) / (double)l->o->beams->set->count);
+    return is_added ? 0 : (int)MESSAGE_NO_MEMORY;
 }
 
 tribox_status outside_start(const beams *b, unsigned threads, progress *bar, outside *o)
 {
-    label_crew c = {.o = o, .bar = bar};
+    const crew_work work = {.threads = threads,
+                            .count = b->set->count,
+                            .begin = start_labelling,
+                            .end = end_room,
+                            .step = label_tile,
+                            .tell = add_tile};
     o->beams = b;
-    if (!outside_labels_start(b->set, &o->labels))
-        return MESSAGE_NO_MEMORY;
-    pthread_mutex_init(&c.lock, NULL);
-    crew_run(threads, label_tiles, &c);
-    pthread_mutex_destroy(&c.lock);
-    if (!c.status)
+    const int status = outside_labels_start(b->set, &o->labels) ? crew_do(&work, &(labelling){o, bar}) : (int)MESSAGE_NO_MEMORY;
+    if (!status)
         outside_labels_finish(&o->labels);
-    return c.status;
+    return (tribox_status)status;
 }
 
 void outside_end(outside *o) { outside_labels_free(&o->labels); }
