@@ -2,13 +2,11 @@
 #define _POSIX_C_SOURCE 200809L
 #include "tile_crew.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console/crew.h"
 #include "console/memory.h"
-#include "console/message.h"
 #include "console/pages.h"
 #include "tile_set.h"
 #include "write/voxels.h"
@@ -20,13 +18,13 @@ typedef struct kept_brick {
 
 typedef struct kept_bricks {
     kept_brick *bricks;
-    size_t count, room;
-    uint32_t *ids; /* one brick's after another's */
+    size_t count, room, most; /* most: of what kept_size counts */
+    uint32_t *ids;            /* one brick's after another's */
     size_t ids_count, ids_room;
 } kept_bricks;
 
 /* How much they take, counted in bricks. */
-static inline size_t kept_bricks_size(const kept_bricks *kept)
+static size_t kept_size(const kept_bricks *kept)
 {
     return kept->count + kept->ids_count * sizeof *kept->ids / sizeof *kept->bricks;
 }
@@ -42,11 +40,11 @@ static bool keep_ids(kept_bricks *k, const uint32_t *ids, size_t cells)
     return true;
 }
 
-/* A tile_sink's take, of kept_bricks. It stops where there is no memory. */
+/* A tile_sink's take, of kept_bricks. It stops where there is no memory, or too much to keep. */
 static int kept_bricks_take(void *kept, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
     kept_bricks *const k = kept;
-    kept_brick *const grown = memory_grow_pages(k->bricks, k->count + 1, &k->room, sizeof *grown);
+    kept_brick *const grown = kept_size(k) > k->most ? NULL : memory_grow_pages(k->bricks, k->count + 1, &k->room, sizeof *grown);
     if (!grown)
         return 1;
     k->bricks = grown;
@@ -72,74 +70,65 @@ static tribox_status kept_bricks_hand_on(const kept_bricks *kept, const tile_sin
     return TRIBOX_OK;
 }
 
-static void kept_bricks_free(kept_bricks *kept)
-{
-    pages_free(kept->bricks, kept->room * sizeof *kept->bricks);
-    pages_free(kept->ids, kept->ids_room * sizeof *kept->ids);
-}
-
 /* A share ends with the tile that fills it: little enough to keep, and enough to be worth a lock. */
 enum { SHARE_TRIANGLES = 2048, SHARE_TILES = 4 };
 
-/* Shares for each thread that may be taken before their turn, as some take longer, and how many bricks may wait for theirs. */
-enum { AHEAD = 4, WAITING_MOST = 1 << 19 };
+/* Shares for each thread that may wait for their turn, as some take longer, and how many bricks may wait in all of them. */
+enum { AHEAD = 4, WAITING_MOST = 1 << 19, KEPT_LEAST = 1 << 12 };
 
-typedef struct share {
-    size_t number, from, to;
-} share;
-
-/* A share that was taken, by what its number leaves. */
-typedef struct slot {
-    share share;
-    kept_bricks kept;
-    tribox_report report;
-    bool is_done;
-} slot;
-
-typedef struct crew {
+typedef struct tile_job {
     const tile_set *set;
-    size_t from, to;
-    tile_room *room;       /* of the calling thread */
+    size_t from, to, next; /* records: of all, and of the next share */
     bool is_direct;        /* one thread, or none that waits */
+    size_t kept_most;      /* bricks of a share that wait */
     const tile_sink *sink; /* NULL to count */
     progress *bar;
-    slot *slots;
-    size_t ahead;         /* slots */
-    pthread_mutex_t lock; /* of what follows */
-    pthread_cond_t turned;
-    kept_bricks *spare; /* memory of shares that were handed on: the last is taken first, as caches have it */
-    size_t spares;
-    size_t next;         /* record of the next share */
-    size_t number, turn; /* shares taken, and handed on */
-    size_t waiting;      /* bricks in slots that are done, or as much of ids */
-    bool is_handing;     /* a thread hands bricks to the sink */
-    size_t done;         /* records */
+    size_t done; /* records */
     tile_found found;
-    tribox_status status; /* the first that is not OK ends the work */
-} crew;
+} tile_job;
 
-/* Whoever takes the share whose turn it is does not wait, nor who hands on: there is always one at work. */
-static bool is_far_ahead(const crew *c)
+/* A share, and where it is voxelized. */
+typedef struct share {
+    tile_room *room;
+    size_t from, to;
+    kept_bricks kept;
+    bool is_kept; /* else it is to be done in its turn */
+    tile_found found;
+} share;
+
+static void end_share(void *place)
 {
-    const size_t taken = c->number - c->turn;
-    return !c->status && !c->is_direct && taken && (taken >= c->ahead || c->waiting > WAITING_MOST);
+    share *const s = place;
+    pages_free(s->kept.bricks, s->kept.room * sizeof *s->kept.bricks);
+    pages_free(s->kept.ids, s->kept.ids_room * sizeof *s->kept.ids);
+    tile_room_free(s->room);
+    free(s);
 }
 
-/* False where nothing is left. */
-static bool take_share(crew *c, share *s)
+static void *begin_share(void *data)
 {
-    pthread_mutex_lock(&c->lock);
+    const tile_job *const j = data;
+    share *const s = calloc(1, sizeof *s);
+    if (!s)
+        return NULL;
+    s->kept.most = j->kept_most;
+    s->room = tile_room_new(j->set, j->from, j->to);
+    if (s->room)
+        return s;
+    end_share(s);
+    return NULL;
+}
+
+static bool find_share(void *data, void *place, size_t n)
+{
+    tile_job *const j = data;
+    share *const s = place;
     size_t triangles = 0;
-    while (is_far_ahead(c))
-        pthread_cond_wait(&c->turned, &c->lock);
-    *s = (share){c->number, c->next, c->next};
-    while (!c->status && s->to < c->to && s->to - s->from < SHARE_TILES && triangles < SHARE_TRIANGLES)
-        triangles += tile_set_triangles(c->set, s->to++);
-    c->next = s->to;
-    c->number += s->to > s->from;
-    if (s->to > s->from && c->spares)
-        c->slots[s->number % c->ahead].kept = c->spare[--c->spares];
-    pthread_mutex_unlock(&c->lock);
+    (void)n;
+    s->from = s->to = j->next;
+    while (s->to < j->to && s->to - s->from < SHARE_TILES && triangles < SHARE_TRIANGLES)
+        triangles += tile_set_triangles(j->set, s->to++);
+    j->next = s->to;
     return s->to > s->from;
 }
 
@@ -156,127 +145,64 @@ static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8],
     return n->sink ? n->sink->take(n->sink->data, at, bits, ids) : 0;
 }
 
-/* Under the lock: a share is through. */
-static void account(crew *c, const share *s, tribox_status status, const tribox_report *report, uint64_t bricks)
-{
-    if (status && !c->status)
-        c->status = status;
-    c->turn++;
-    c->done += s->to - s->from;
-    c->found.report.overlapping += report->overlapping;
-    c->found.report.undecided += report->undecided;
-    c->found.bricks += bricks;
-    if (!status)
-        progress_tell(c->bar, (double)c->done / (double)(c->to - c->from));
-    pthread_cond_broadcast(&c->turned);
-}
-
-/* Under the lock, which is left meanwhile: all shares that are done and whose turn it is. */
-static void hand_on(crew *c)
-{
-    c->is_handing = true;
-    for (slot *s; !c->status && (s = &c->slots[c->turn % c->ahead])->is_done;) {
-        pthread_mutex_unlock(&c->lock);
-        const tribox_status status = kept_bricks_hand_on(&s->kept, c->sink);
-        pthread_mutex_lock(&c->lock);
-        s->is_done = false;
-        c->waiting -= kept_bricks_size(&s->kept);
-        account(c, &s->share, status, &s->report, s->kept.count);
-        c->spare[c->spares++] = s->kept;
-        s->kept = (kept_bricks){.count = 0};
-    }
-    c->is_handing = false;
-    pthread_cond_broadcast(&c->turned);
-}
-
 /* Straight into the sink, or counted. */
-static void run_at_once(crew *c, const share *s, tile_room *room)
+static int run_at_once(const tile_job *j, share *s)
 {
-    tribox_report report = {0, 0};
-    counter n = {.sink = c->sink};
-    const tribox_status status = tile_set_run(c->set, s->from, s->to, room, &(tile_sink){count_brick, &n}, &report);
-    pthread_mutex_lock(&c->lock);
-    account(c, s, status, &report, n.bricks);
-    pthread_mutex_unlock(&c->lock);
+    counter n = {.sink = j->sink};
+    const tribox_status status = tile_set_run(j->set, s->from, s->to, s->room, &(tile_sink){count_brick, &n}, &s->found.report);
+    s->found.bricks = n.bricks;
+    return (int)status;
+}
+
+static int run_share(void *data, void *place, size_t n)
+{
+    const tile_job *const j = data;
+    share *const s = place;
+    (void)n;
+    s->found = (tile_found){.bricks = 0};
+    s->is_kept = !j->is_direct;
+    s->kept.count = s->kept.ids_count = 0;
+    if (j->is_direct)
+        return run_at_once(j, s);
+    const tribox_status status =
+        tile_set_run(j->set, s->from, s->to, s->room, &(tile_sink){kept_bricks_take, &s->kept}, &s->found.report);
+    s->is_kept = status != TRIBOX_STOPPED;
+    s->found.bricks = s->kept.count;
+    return s->is_kept ? (int)status : 0;
 }
 
 /* Without memory to keep its bricks a share is done again in its turn, straight into the sink. */
-static void run_again(crew *c, const share *s, tile_room *room)
+static int tell_share(void *data, void *place, size_t n)
 {
-    pthread_mutex_lock(&c->lock);
-    while ((c->turn < s->number || c->is_handing) && !c->status)
-        pthread_cond_wait(&c->turned, &c->lock);
-    const bool goes_on = !c->status;
-    c->is_handing |= goes_on;
-    pthread_mutex_unlock(&c->lock);
-    if (!goes_on)
-        return;
-    run_at_once(c, s, room);
-    pthread_mutex_lock(&c->lock);
-    hand_on(c);
-    pthread_mutex_unlock(&c->lock);
-}
-
-/* Kept until its turn comes; whoever is done with a share whose turn it is hands it on, and what is done after it. */
-static void run_in_turn(crew *c, const share *s, tile_room *room)
-{
-    slot *const own = &c->slots[s->number % c->ahead];
-    own->share = *s;
-    own->kept.count = own->kept.ids_count = 0;
-    const tribox_status status =
-        tile_set_run(c->set, s->from, s->to, room, &(tile_sink){kept_bricks_take, &own->kept}, &own->report);
-    if (status == TRIBOX_STOPPED) {
-        run_again(c, s, room);
-        return;
-    }
-    pthread_mutex_lock(&c->lock);
-    own->is_done = !status;
-    c->waiting += kept_bricks_size(&own->kept);
-    if (status && !c->status)
-        c->status = status;
-    if (!c->is_handing)
-        hand_on(c);
-    pthread_mutex_unlock(&c->lock);
-}
-
-/* Whoever has no memory takes no share; of the calling thread it is there. */
-static void work(void *data, unsigned thread)
-{
-    crew *const c = data;
-    tile_room *const room = thread ? tile_room_new(c->set, c->from, c->to) : c->room;
-    for (share s; room && take_share(c, &s);)
-        if (c->is_direct)
-            run_at_once(c, &s, room);
-        else
-            run_in_turn(c, &s, room);
-    if (thread)
-        tile_room_free(room);
+    tile_job *const j = data;
+    share *const s = place;
+    const int status = j->is_direct ? 0 : s->is_kept ? (int)kept_bricks_hand_on(&s->kept, j->sink) : run_at_once(j, s);
+    (void)n;
+    if (status)
+        return status;
+    j->done += s->to - s->from;
+    j->found.report.overlapping += s->found.report.overlapping;
+    j->found.report.undecided += s->found.report.undecided;
+    j->found.bricks += s->found.bricks;
+    progress_tell(j->bar, (double)j->done / (double)(j->to - j->from));
+    return 0;
 }
 
 tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tile_sink *sink, progress *bar,
                             tile_found *found)
 {
-    const size_t most = to - from ? to - from : 1;
-    crew c = {.set = set, .from = from, .to = to, .is_direct = threads == 1 || !sink, .sink = sink, .bar = bar, .next = from};
-    *found = c.found;
-    c.ahead = c.is_direct ? 0 : AHEAD * (size_t)threads;
-    c.slots = calloc(c.ahead + 1, sizeof *c.slots);
-    c.spare = calloc(c.ahead + 1, sizeof *c.spare);
-    c.room = c.slots && c.spare ? tile_room_new(set, from, to) : NULL;
-    const bool has_memory = c.room;
-    pthread_mutex_init(&c.lock, NULL);
-    pthread_cond_init(&c.turned, NULL);
-    if (has_memory)
-        crew_run(threads < most ? threads : (unsigned)most, work, &c);
-    pthread_cond_destroy(&c.turned);
-    pthread_mutex_destroy(&c.lock);
-    for (size_t n = 0; n < c.ahead && c.slots; n++)
-        kept_bricks_free(&c.slots[n].kept);
-    for (size_t n = 0; n < c.spares; n++)
-        kept_bricks_free(&c.spare[n]);
-    tile_room_free(c.room);
-    free(c.slots);
-    free(c.spare);
-    *found = c.found;
-    return has_memory ? c.status : MESSAGE_NO_MEMORY;
+    const size_t fair = WAITING_MOST / AHEAD / threads;
+    tile_job j = {.set = set, .from = from, .to = to, .next = from, .is_direct = threads == 1 || !sink, .sink = sink, .bar = bar};
+    j.kept_most = fair < KEPT_LEAST ? KEPT_LEAST : fair;
+    const crew_work work = {.threads = to - from < threads ? (unsigned)(to - from) : threads,
+                            .each = j.is_direct ? 1 : AHEAD,
+                            .is_told_in_order = !j.is_direct,
+                            .begin = begin_share,
+                            .end = end_share,
+                            .find = find_share,
+                            .step = run_share,
+                            .tell = tell_share};
+    const int status = crew_do(&work, &j);
+    *found = j.found;
+    return (tribox_status)status;
 }
