@@ -70,7 +70,6 @@ static void open_level(json *j, const char *key, const char brackets[2], bool is
 
 void json_open_object(json *j, const char *key) { open_level(j, key, "{}", false); }
 void json_open_array(json *j, const char *key) { open_level(j, key, "[]", false); }
-void json_open_lines(json *j, const char *key) { open_level(j, key, "{}", true); }
 void json_open_rows(json *j, const char *key) { open_level(j, key, "[]", true); }
 
 void json_close(json *j)
@@ -92,8 +91,6 @@ static void put_literal(json *j, const char *key, const char *text)
     start(j, key);
     fputs(text, j->to);
 }
-
-void json_null(json *j, const char *key) { put_literal(j, key, "null"); }
 
 void json_bool(json *j, const char *key, bool value) { put_literal(j, key, value ? "true" : "false"); }
 
@@ -119,12 +116,6 @@ void json_number(json *j, const char *key, int digits, double value)
         fprintf(j->to, "%.*g", digits, value);
     else
         fputs("null", j->to);
-}
-
-void json_float(json *j, const char *key, float value)
-{
-    char text[DECIMAL_MAX];
-    put_literal(j, key, isfinite(value) ? decimal_of(value, text) : "null");
 }
 
 void json_doubles(json *j, const char *key, const double *values, size_t count, bool is_float)

@@ -28,9 +28,8 @@ json json_to(FILE *to);
 void json_open_object(json *j, const char *key);
 void json_open_array(json *j, const char *key);
 
-/* The same, with each value of the array, or member of the object, on a line of its own. */
+/* The same, with each value on a line of its own. */
 void json_open_rows(json *j, const char *key);
-void json_open_lines(json *j, const char *key);
 
 /* Ends the object or array that was opened last; after the outermost comes a line feed, and another value may follow. */
 void json_close(json *j);
@@ -42,14 +41,10 @@ void json_close(json *j);
 void json_string(json *j, const char *key, const char *value);
 
 void json_bool(json *j, const char *key, bool value);
-void json_null(json *j, const char *key);
 void json_whole(json *j, const char *key, uint64_t value);
 
-/* A number to `digits` significant digits. NaN and infinity, which JSON does not have, become null; for json_float as well. */
+/* A number to `digits` significant digits. NaN and infinity, which JSON does not have, become null. */
 void json_number(json *j, const char *key, int digits, double value);
-
-/* A float that reads back as the same float. */
-void json_float(json *j, const char *key, float value);
 
 /* Arrays of numbers. Those of doubles read back as the same doubles or, if is_float, the same floats, which they then are. */
 void json_doubles(json *j, const char *key, const double *values, size_t count, bool is_float);

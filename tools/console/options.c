@@ -16,7 +16,7 @@ int options_take_mesh(const char *operand, const char **mesh_path)
     return EXIT_CODE_OK;
 }
 
-int options_read_accuracy(const char *text, tribox_accuracy *accuracy)
+static int read_accuracy(const char *text, tribox_accuracy *accuracy)
 {
     return accuracy_of_word(text, accuracy) ? EXIT_CODE_OK
                                             : message_usage("--accuracy: '%s' is none of exact, conservative, fast", text);
@@ -41,7 +41,7 @@ static unsigned find_axes(const char *word, size_t length)
     return 0;
 }
 
-int options_read_axes(const char *text, unsigned *axes)
+static int read_axes(const char *text, unsigned *axes)
 {
     *axes = 0;
     for (const char *word = text;; word++) {
@@ -56,7 +56,7 @@ int options_read_axes(const char *text, unsigned *axes)
     }
 }
 
-int options_read_order(const char *text, unsigned *order)
+static int read_order(const char *text, unsigned *order)
 {
     static const struct {
         const char *word;
@@ -70,7 +70,7 @@ int options_read_order(const char *text, unsigned *order)
     return message_usage("--order: '%s' is none of 123, 132, 213, 231, 312, 321", text);
 }
 
-int options_read_kernel(const char *text, const char **kernel)
+static int read_kernel(const char *text, const char **kernel)
 {
     char list[128] = "";
     for (size_t i = 0; (*kernel = tribox_kernel_list(i)) != NULL; i++) {
@@ -85,10 +85,10 @@ int options_read_kernel(const char *text, const char **kernel)
 int options_read_test(const char *name, const char *value, tribox_options *test)
 {
     if (!strcmp(name, "accuracy"))
-        return options_read_accuracy(value, &test->accuracy);
+        return read_accuracy(value, &test->accuracy);
     if (!strcmp(name, "axes"))
-        return options_read_axes(value, &test->axes);
+        return read_axes(value, &test->axes);
     if (!strcmp(name, "order"))
-        return options_read_order(value, &test->axis_order);
-    return options_read_kernel(value, &test->kernel);
+        return read_order(value, &test->axis_order);
+    return read_kernel(value, &test->kernel);
 }

@@ -19,12 +19,6 @@ int options_take_mesh(const char *operand, const char **mesh_path);
 /* Takes the value of "accuracy", "axes", "order" or "kernel". Returns an exit_code. */
 int options_read_test(const char *name, const char *value, tribox_options *test);
 
-/* The words of an option's value. Each returns EXIT_CODE_OK, or another exit_code after a line on standard error. */
-int options_read_accuracy(const char *text, tribox_accuracy *accuracy);
-int options_read_axes(const char *text, unsigned *axes);
-int options_read_order(const char *text, unsigned *order);
-int options_read_kernel(const char *text, const char **kernel);
-
 /* The i-th of the three groups of axes: its word and its TRIBOX_AXES_* bit. */
 enum { OPTIONS_AXES_GROUPS = 3 };
 const char *options_axes_word(int i, unsigned *bit);
