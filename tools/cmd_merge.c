@@ -1,14 +1,229 @@
 /* cmd_merge.c - tribox merge: the parts that tribox voxelize --shard wrote become the whole, bit for bit. */
+#define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 
+#include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "console/interrupt.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
-#include "merge/merge_work.h"
+#include "voxelize/result_options.h"
+#include "voxelize/voxelize_report.h"
+#include "write/brick_cutter.h"
+#include "write/brick_out.h"
+#include "write/file_out.h"
+#include "write/part.h"
+#include "write/parts_npz.h"
+#include "write/voxels_room.h"
+
+typedef struct merge_request {
+    const char **parts; /* paths, with room for all words */
+    size_t count;
+    uint32_t threads;
+    result_request result;
+} merge_request;
+
+static int report(const merge_request *r, const voxels *v, size_t parts, uint64_t bricks, uint64_t occupied)
+{
+    if (!r->result.has_summary)
+        return EXIT_CODE_OK;
+    if (r->result.wants_json) {
+        json j = json_to(stdout);
+        json_open_object(&j, NULL);
+        json_whole(&j, "parts", parts);
+        voxelize_json_grid(&j, v, voxels_are_shifted(v));
+        json_whole(&j, "occupied", occupied);
+        json_whole(&j, "bricks", bricks);
+        json_string(&j, "output", r->result.out_path);
+        if (r->result.preview_path)
+            json_string(&j, "preview", r->result.preview_path);
+        json_close(&j);
+    } else {
+        printf("parts        %zu\n", parts);
+        voxelize_print_grid(v, voxels_are_shifted(v));
+        printf("occupied     %" PRIu64 " cells\nbricks       %" PRIu64 "\n", occupied, bricks);
+        voxelize_print_written(r->result.out_path, !r->result.format->has_place);
+        if (r->result.preview_path)
+            voxelize_print_preview(r->result.preview_path, result_up(&r->result));
+    }
+    return output_flush();
+}
+
+/* Where the bricks of all parts go. */
+typedef struct merging {
+    const merge_request *r;
+    voxels cells;
+    brick_out out;
+    bool has_ids;    /* of set cells */
+    uint64_t *words; /* for the picture; NULL for none */
+    progress bar;
+    uint64_t all, done; /* bricks */
+} merging;
+
+static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
+{
+    enum { TELL_EACH = 4096 };
+    merging *const m = data;
+    if (m->words)
+        bricks_lay(&m->cells.grid, m->words, brick->at, brick->bits);
+    if (++m->done % TELL_EACH == 0)
+        progress_tell(&m->bar, (double)m->done / (double)m->all);
+    m->out.ids = ids;
+    return brick_out_put(&m->out, brick->at, brick->bits);
+}
+
+static int read_parts(merging *m, part *parts, size_t count)
+{
+    int code = EXIT_CODE_OK;
+    m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
+    for (size_t i = 0; i < count && !code; i++)
+        code = part_read(&parts[i], take_brick, m);
+    progress_end(&m->bar);
+    return code;
+}
+
+/* Whether where each brick goes is known beforehand, so that threads can read and write parts at once. */
+static bool has_places(const merging *m)
+{
+    const result_request *const result = &m->r->result;
+    return !strcmp(result->format->word, "npz") && !result->options.is_deflated && !m->words &&
+           !file_out_is_stdout(result->out_path);
+}
+
+static int write_places(merging *m, part *parts, size_t count, file_out *out)
+{
+    m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
+    const int code = parts_npz_write(out, parts, count, &m->cells, m->r->threads, &m->bar);
+    progress_end(&m->bar);
+    return code ? code : file_out_keep(out);
+}
+
+static int write_bricks(merging *m, part *parts, size_t count, file_out *out)
+{
+    const result_request *const result = &m->r->result;
+    if (has_places(m))
+        return write_places(m, parts, count, out);
+    volume_options how = result->options;
+    how.has_ids = m->has_ids;
+    int code = brick_out_open(&m->out, result->format, &how, out, &m->cells);
+    if (code)
+        return code;
+    m->out.threads = m->r->threads;
+    code = read_parts(m, parts, count);
+    if (!code) {
+        progress bar = progress_start("writing", !result->is_quiet);
+        code = brick_out_end(&m->out, &bar);
+        progress_end(&bar);
+    }
+    brick_out_drop(&m->out);
+    return code ? code : file_out_keep(out);
+}
+
+static const char fewer[] = "choose a sparse format, -o FILE.npz or .vdb, without a picture";
+
+/* A dense format and the picture take all cells at once. */
+static int take_words(merging *m)
+{
+    const tribox_grid *const grid = &m->cells.grid;
+    const result_request *const result = &m->r->result;
+    int code = EXIT_CODE_OK;
+    if (!result->format->bricks || result->preview_path)
+        code = voxels_check_words(grid, fewer);
+    if (code || !result->preview_path)
+        return code;
+    const size_t words = voxels_layer_words(grid) * grid->size[2];
+    code = voxels_check_memory(grid, (uint64_t)words * sizeof *m->words + preview_memory(&result->look), fewer);
+    if (code)
+        return code;
+    m->words = calloc(words, sizeof *m->words);
+    return m->words ? EXIT_CODE_OK : message_failure("out of memory for the picture");
+}
+
+static int draw(const merging *m, file_out *picture)
+{
+    const voxels_slab slab = {.layers = m->cells.grid.size[2], .bits = m->words};
+    voxels v = m->cells;
+    v.slab = &slab;
+    v.slabs = 1;
+    return preview_draw(picture, &v, &m->r->result.look, processors_here(), !m->r->result.is_quiet);
+}
+
+static int write_files(merging *m, part *parts, size_t count)
+{
+    const result_request *const result = &m->r->result;
+    file_out out, picture;
+    volume_note_shift(result->format, result->out_path, &m->cells);
+    int code = file_out_open(&out, result->out_path);
+    if (code)
+        return code;
+    code = file_out_open(&picture, result->preview_path);
+    if (!code) {
+        code = write_bricks(m, parts, count, &out);
+        if (!code && m->words)
+            code = draw(m, &picture);
+        file_out_drop(&picture);
+    }
+    file_out_drop(&out);
+    return code;
+}
+
+/* Ids are not dropped without a word. */
+static int check_ids(const merge_request *r, const part *parts)
+{
+    const volume_format *const format = r->result.format;
+    if (!parts[0].header.whole.has_ids)
+        return EXIT_CODE_OK;
+    if (r->result.options.is_mask)
+        return message_failure("%s: has ids, a grid of whole numbers: leave out --vdb-grid", parts[0].path);
+    return volume_takes_ids(format) ? EXIT_CODE_OK
+                                    : message_failure("%s: has ids, and .%s holds none: write %s, or run the shards without --ids",
+                                                      parts[0].path, format->word, volume_endings(volume_takes_ids).text);
+}
+
+static int merge(const merge_request *r, part *parts, size_t count)
+{
+    int code = part_join(parts, count);
+    if (code)
+        return code;
+    const part_whole *const whole = &parts[0].header.whole;
+    merging m = {.r = r, .cells = part_voxels(whole), .has_ids = whole->has_ids};
+    for (size_t i = 0; i < count; i++)
+        m.all += parts[i].bricks;
+    code = check_ids(r, parts);
+    if (!code && r->result.format->check_grid)
+        code = r->result.format->check_grid(r->result.out_path, &m.cells.grid);
+    if (!code)
+        code = take_words(&m);
+    if (!code) {
+        interrupt_advise("nothing was written, the parts stay good; run it again");
+        code = write_files(&m, parts, count);
+    }
+    free(m.words);
+    uint64_t occupied = 0;
+    for (size_t i = 0; i < count; i++)
+        occupied += parts[i].cells;
+    return code ? code : report(r, &m.cells, count, m.all, occupied);
+}
+
+static int merge_parts(const merge_request *r)
+{
+    int code = EXIT_CODE_OK;
+    part *parts = malloc(r->count * sizeof *parts);
+    if (!parts)
+        return message_failure("out of memory for %zu parts", r->count);
+    for (size_t i = 0; i < r->count && !code; i++)
+        code = part_open(&parts[i], r->parts[i]);
+    if (!code)
+        code = merge(r, parts, r->count);
+    free(parts);
+    return code;
+}
 
 static const char help[] =
     "tribox merge - join the parts of a voxelization into one file\n"
@@ -62,7 +277,7 @@ int cmd_merge(int count, char **words)
     else if (!code)
         code = check_request(&r, &found);
     if (!code && !found.wants_help)
-        code = merge_work(&r);
+        code = merge_parts(&r);
     free(r.parts);
     return code;
 }

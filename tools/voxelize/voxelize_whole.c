@@ -1,19 +1,167 @@
 /* voxelize_whole.c - a mesh into the words of its whole grid: formats of all cells, filling, and whatever fits the caches. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdlib.h>
+#include <string.h>
 
+#include "colours/cell_colours.h"
+#include "colours/mesh_colours.h"
 #include "console/clock.h"
+#include "console/crew.h"
+#include "console/memory.h"
 #include "console/message.h"
 #include "console/pages.h"
+#include "console/progress.h"
 #include "fill/beam.h"
-#include "fill/fill_whole.h"
-#include "coloured_cells.h"
 #include "layers.h"
+#include "read/mesh.h"
+#include "tile_crew.h"
 #include "tile_set.h"
+#include "tribox_threads.h"
 #include "voxelize_ways.h"
 #include "write/brick_cutter.h"
 #include "write/brick_writer.h"
 #include "write/voxels_room.h"
+
+/* ---------------------------------------------------------------------------------------------------------------------- colours */
+
+typedef struct colouring {
+    const tribox_grid *grid;
+    const mesh_colours *colours;
+    uint64_t *words;
+    cell_colours *to;
+    size_t room, cells_room;
+} colouring;
+
+static bool make_room(colouring *c, uint64_t cells)
+{
+    cell_colours *const to = c->to;
+    void *const bricks = memory_grow(to->bricks, to->count + 1, &c->room, sizeof *to->bricks);
+    to->bricks = bricks ? bricks : to->bricks;
+    void *const of = bricks ? memory_grow(to->of, (size_t)(to->cells + cells), &c->cells_room, sizeof *to->of) : NULL;
+    to->of = of ? of : to->of;
+    return of;
+}
+
+static int take_coloured(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
+{
+    colouring *const c = data;
+    cell_colours *const to = c->to;
+    const uint64_t cells = voxels_count(bits, 8);
+    if (!make_room(c, cells))
+        return 1;
+    coloured_brick *const b = &to->bricks[to->count++];
+    *b = (coloured_brick){.at = {at[0], at[1], at[2]}, .first = to->cells};
+    memcpy(b->bits, bits, sizeof b->bits);
+    for (uint64_t n = 0; n < cells; n++)
+        to->of[to->cells++] = c->colours->of[ids[n]];
+    bricks_lay(c->grid, c->words, at, bits);
+    return 0;
+}
+
+static int colour_tiles(const tile_set *set, unsigned threads, colouring *c, progress *bar, tribox_report *report)
+{
+    tile_found found;
+    const tribox_status status = tile_crew_run(set, 0, set->count, threads, &(tile_sink){take_coloured, c}, bar, &found);
+    *report = found.report;
+    if (status && status != TRIBOX_STOPPED)
+        return message_status(status);
+    return !status && cell_colours_place(c->to, set->task.grid.size)
+               ? EXIT_CODE_OK
+               : message_failure("out of memory for the colours of the cells");
+}
+
+static int colour_cells(const voxel_task *task, const mesh_colours *colours, unsigned threads, uint64_t *words, cell_colours *cells,
+                        progress *bar, tribox_report *report)
+{
+    tile_set set;
+    *cells = (cell_colours){.count = 0};
+    int code = tile_set_of_task(task, false, threads, &set);
+    if (code)
+        return code;
+    colouring c = {.grid = &task->grid, .colours = colours, .words = words, .to = cells};
+    code = colour_tiles(&set, threads, &c, bar, report);
+    tile_set_free(&set);
+    if (code)
+        cell_colours_free(cells);
+    return code;
+}
+
+/* ---------------------------------------------------------------------------------------------------------------------- insides */
+
+/* The words of a grid, and what is found. */
+typedef struct whole_fill {
+    const tribox_grid *grid;
+    const uint64_t *surface;
+    uint64_t *solid;
+    void *scratch; /* fill_whole_bytes */
+    size_t inside, odd_rows;
+} whole_fill;
+
+/* Each window looks at all triangles: there are twice as many as threads, so that none waits long, and no more. */
+enum { EACH = 2 };
+
+typedef struct layer_fill {
+    const mesh *m;
+    whole_fill *f;
+    uint32_t windows;
+    size_t inside[EACH * THREADS_MAX], odd_rows[EACH * THREADS_MAX]; /* of each */
+} layer_fill;
+
+static uint32_t windows_of(const tribox_grid *grid, unsigned threads)
+{
+    const uint32_t wanted = threads > 1 ? EACH * threads : 1;
+    return wanted < grid->size[2] ? wanted : grid->size[2];
+}
+
+/* Layers from .. to - 1. */
+static uint32_t border_of(const layer_fill *l, uint32_t window)
+{
+    return (uint32_t)((uint64_t)l->f->grid->size[2] * window / l->windows);
+}
+
+static size_t window_bytes(const tribox_grid *grid, uint32_t windows)
+{
+    return tribox_fill_bytes((const uint32_t[3]){grid->size[0], grid->size[1], grid->size[2] / windows + 1});
+}
+
+static size_t fill_whole_bytes(const tribox_grid *grid, unsigned threads)
+{
+    const uint32_t windows = windows_of(grid, threads);
+    return windows * window_bytes(grid, windows);
+}
+
+static int fill_layers(void *data, void *place, size_t n)
+{
+    layer_fill *const l = data;
+    const tribox_grid *const grid = l->f->grid;
+    const uint32_t from = border_of(l, (uint32_t)n), layers = border_of(l, (uint32_t)n + 1) - from;
+    const tribox_window w = {{0, 0, from}, {grid->size[0], grid->size[1], layers}};
+    const size_t before = tribox_mask_words(grid->size[0]) * grid->size[1] * from;
+    const uint64_t *const surface = l->f->surface + before;
+    uint64_t *const solid = l->f->solid + before;
+    size_t *const inside = &l->inside[n], *const odd_rows = &l->odd_rows[n];
+    void *const scratch = (char *)l->f->scratch + n * window_bytes(grid, l->windows);
+    (void)place;
+    return l->m->is_double
+               ? (int)tribox_mesh_fill_parity_window(&l->m->doubles, grid, &w, surface, scratch, solid, inside, odd_rows)
+               : (int)tribox_fill_parity_window(&l->m->soup, grid, &w, surface, scratch, solid, inside, odd_rows);
+}
+
+static tribox_status fill_whole(const mesh *m, unsigned threads, whole_fill *f)
+{
+    layer_fill l = {.m = m, .f = f, .windows = windows_of(f->grid, threads)};
+    f->inside = f->odd_rows = 0;
+    if (!m)
+        return tribox_fill_outside(f->grid->size, f->surface, f->scratch, f->solid, &f->inside);
+    const int status = crew_do(&(crew_work){.threads = threads, .count = l.windows, .step = fill_layers}, &l);
+    for (uint32_t n = 0; n < l.windows; n++) {
+        f->inside += l.inside[n];
+        f->odd_rows += l.odd_rows[n];
+    }
+    return (tribox_status)status;
+}
+
+/* -------------------------------------------------------------------------------------------------------------------------- all */
 
 /*
  * What the work is about. The words are the cells of the surface, and in `solid` those that it encloses too. Where the inside is
@@ -58,7 +206,7 @@ static int run(whole *w, progress *bar, tribox_report *report)
     task.is_thin = w->r->is_thin;
     task.has_ids = w->in->colours != NULL;
     if (task.has_ids)
-        return coloured_cells_make(&task, w->in->colours, w->r->threads, w->surface, &w->colours, bar, report);
+        return colour_cells(&task, w->in->colours, w->r->threads, w->surface, &w->colours, bar, report);
     return message_status(voxelize_in_threads(&task, w->r->threads, w->surface, report, bar));
 }
 
