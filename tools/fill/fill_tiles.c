@@ -8,12 +8,30 @@
 #include "console/crew.h"
 #include "console/message.h"
 #include "console/progress.h"
-#include "outside.h"
-#include "parity_beams.h"
+
+static size_t along(const tile_set *set, int a)
+{
+    const uint32_t size = set->task.grid.size[a];
+    return size / set->tile + (size % set->tile != 0);
+}
+
+static bool beams_of(const tile_set *set, fill_cells cells, beams *b)
+{
+    *b = (beams){.set = set, .tiles = along(set, 0), .count = along(set, 1) * along(set, 2), .cells = cells};
+    b->first = malloc((b->count + 1) * sizeof *b->first);
+    size_t record = 0;
+    for (size_t n = 0; b->first && n <= b->count; n++) {
+        while (record < set->count && set->records[record].tile < n * b->tiles)
+            record++;
+        b->first[n] = record;
+    }
+    return b->first;
+}
 
 typedef struct beam_job {
     const beams *beams;
     const beam_filling *filling;
+    void *about;
     const filled_sink *sink;
     progress *bar;
     beam_found found;
@@ -44,7 +62,7 @@ static void *begin_place(void *data)
         return NULL;
     p->filling = j->filling;
     p->solid.tiles = malloc(j->beams->tiles * sizeof *p->solid.tiles);
-    p->room = p->solid.tiles ? j->filling->start(j->filling->about) : NULL;
+    p->room = p->solid.tiles ? j->filling->start(j->about) : NULL;
     if (p->room)
         return p;
     end_place(p);
@@ -57,7 +75,7 @@ static int fill_beam(void *data, void *place, size_t beam)
     beam_place *const p = place;
     p->solid.count = 0;
     p->found = (beam_found){.bricks = 0};
-    return (int)j->filling->fill(j->filling->about, p->room, beam, &p->solid, &p->found);
+    return (int)j->filling->fill(j->about, p->room, beam, &p->solid, &p->found);
 }
 
 static int hand_on(void *data, void *place, size_t beam)
@@ -76,56 +94,31 @@ static int hand_on(void *data, void *place, size_t beam)
     return 0;
 }
 
-/* sink: NULL to count alone. Returns what the filling or the sink ended with, or MESSAGE_NO_MEMORY. */
-static tribox_status fill_beams(const beams *b, const beam_filling *filling, unsigned threads, const filled_sink *sink,
-                                progress *bar, beam_found *found)
+static int fill_beams(beam_job *j, unsigned threads)
 {
     const crew_work work = {.threads = threads,
-                            .count = b->count,
+                            .count = j->beams->count,
                             .is_told_in_order = true,
                             .begin = begin_place,
                             .end = end_place,
                             .step = fill_beam,
                             .tell = hand_on};
-    beam_job j = {.beams = b, .filling = filling, .sink = sink, .bar = bar};
-    const int status = crew_do(&work, &j);
-    *found = j.found;
-    return (tribox_status)status;
-}
-
-static tribox_status fill_parity(const beams *b, const double x[2], unsigned threads, const filled_sink *sink, progress *bar,
-                                 beam_found *found)
-{
-    parity p;
-    tribox_status status = parity_start(b, x[0], x[1], &p);
-    if (!status) {
-        const beam_filling filling = parity_filling(&p);
-        status = fill_beams(b, &filling, threads, sink, bar, found);
-    }
-    parity_end(&p);
-    return status;
-}
-
-static tribox_status fill_outside(const beams *b, unsigned threads, const filled_sink *sink, progress *bar, beam_found *found)
-{
-    outside o;
-    tribox_status status = outside_start(b, threads, bar, &o);
-    if (!status) {
-        const beam_filling filling = outside_filling(&o);
-        status = fill_beams(b, &filling, threads, sink, bar, found);
-    }
-    outside_end(&o);
-    return status;
+    return crew_do(&work, j);
 }
 
 tribox_status fill_tiles(const tile_set *set, const double x[2], fill_cells cells, unsigned threads, const filled_sink *sink,
                          progress *bar, beam_found *found)
 {
     beams b;
-    *found = (beam_found){.bricks = 0};
+    beam_job j = {.beams = &b, .filling = x ? &beam_parity : &beam_outside, .sink = sink, .bar = bar};
+    *found = j.found;
     if (!beams_of(set, cells, &b))
         return MESSAGE_NO_MEMORY;
-    const tribox_status status = x ? fill_parity(&b, x, threads, sink, bar, found) : fill_outside(&b, threads, sink, bar, found);
-    beams_free(&b);
-    return status;
+    int status = (int)j.filling->open(&b, x, threads, bar, &j.about);
+    if (!status)
+        status = fill_beams(&j, threads);
+    j.filling->close(j.about);
+    free(b.first);
+    *found = j.found;
+    return (tribox_status)status;
 }

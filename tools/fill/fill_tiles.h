@@ -2,8 +2,16 @@
 #ifndef FILL_TILES_H
 #define FILL_TILES_H
 
-#include "beam.h"
 #include "console/progress.h"
+#include "fill_kinds.h"
+#include "tile_cells.h"
+
+/* What was found in a beam; in sum in all. */
+typedef struct beam_found {
+    tribox_report report;
+    uint64_t bricks;
+    size_t inside, odd_rows;
+} beam_found;
 
 /*
  * Hands the bricks of a filled grid to the sink, in the order of tribox_bricks, one at a time, from any of the threads.
@@ -17,5 +25,12 @@
  */
 tribox_status fill_tiles(const tile_set *set, const double x[2], fill_cells cells, unsigned threads, const filled_sink *sink,
                          progress *bar, beam_found *found);
+
+/* The words of a filled surface become those of the cells inside. */
+static inline void fill_keep_inside(uint64_t *surface, const uint64_t *solid, size_t words)
+{
+    for (size_t w = 0; w < words; w++)
+        surface[w] = solid[w] & ~surface[w];
+}
 
 #endif

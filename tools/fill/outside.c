@@ -1,6 +1,9 @@
-/* outside.c - labels tiles by several threads, then fills them beam by beam. */
+/*
+ * outside.c - what the outside does not reach: threads label the free cells of tiles, labels are joined as tiles come, a face being
+ * kept until the tile on its other side is there, and then tiles are filled beam by beam.
+ */
 #define _POSIX_C_SOURCE 200809L
-#include "outside.h"
+#include "beam.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +11,161 @@
 #include "console/crew.h"
 #include "console/message.h"
 #include "tribox_threads.h"
+
+/* ----------------------------------------------------------------------------------------------------------------------- labels */
+
+/* The labels of a record's tile among all, and its faces until the tiles beside them are there. */
+typedef struct labelled_tile {
+    uint32_t from, count;
+    bool is_there;
+    uint32_t *faces[6];
+} labelled_tile;
+
+/* Label 0 is the outside, 1 + t that of tile t if it has no triangles; labels of other tiles follow. */
+typedef struct outside_labels {
+    const tile_set *set;
+    uint32_t along[3];    /* tiles */
+    uint32_t *record_of;  /* each tile's; NO_RECORD without triangles */
+    labelled_tile *tiles; /* of records */
+    uint32_t *parents;
+    size_t count, room; /* labels */
+} outside_labels;
+
+#define NO_RECORD UINT32_MAX
+
+static const size_t labels_most = UINT32_MAX - 1;
+
+/* Room for `more` labels, each the parent of itself. */
+static bool add_labels(outside_labels *o, size_t more)
+{
+    if (more > labels_most - o->count)
+        return false;
+    if (o->count + more > o->room) {
+        const size_t room = o->count + more + o->count / 2;
+        uint32_t *const grown = realloc(o->parents, room * sizeof *grown);
+        if (!grown)
+            return false;
+        o->parents = grown;
+        o->room = room;
+    }
+    for (size_t n = 0; n < more; n++, o->count++)
+        o->parents[o->count] = (uint32_t)o->count;
+    return true;
+}
+
+/* False where there is no memory. In any case labels_free follows. */
+static bool labels_start(const tile_set *set, outside_labels *o)
+{
+    *o = (outside_labels){.set = set};
+    for (int a = 0; a < 3; a++)
+        o->along[a] = set->task.grid.size[a] / set->tile + (set->task.grid.size[a] % set->tile != 0);
+    o->record_of = malloc(set->tiles * sizeof *o->record_of);
+    o->tiles = calloc(set->count + 1, sizeof *o->tiles);
+    if (!o->record_of || !o->tiles || !add_labels(o, set->tiles + 1))
+        return false;
+    memset(o->record_of, 0xff, set->tiles * sizeof *o->record_of);
+    for (size_t r = 0; r < set->count; r++)
+        o->record_of[set->records[r].tile] = (uint32_t)r;
+    return true;
+}
+
+static void labels_free(outside_labels *o)
+{
+    for (size_t r = 0; o->tiles && r < o->set->count; r++)
+        for (int face = 0; face < 6; face++)
+            free(o->tiles[r].faces[face]);
+    free(o->record_of);
+    free(o->tiles);
+    free(o->parents);
+}
+
+static size_t face_cells(const tribox_window *w, int face) { return (size_t)w->size[face < 2 ? 1 : 0] * w->size[face < 4 ? 2 : 1]; }
+
+/* The tile beside a face; false at the border of the grid. */
+static bool find_beside(const outside_labels *o, size_t tile, int face, size_t *beside)
+{
+    const size_t step[3] = {1, o->along[0], (size_t)o->along[0] * o->along[1]};
+    const size_t at = tile / step[face / 2] % o->along[face / 2];
+    if (face % 2 ? at + 1 == o->along[face / 2] : !at)
+        return false;
+    *beside = face % 2 ? tile + step[face / 2] : tile - step[face / 2];
+    return true;
+}
+
+/* Across one face. Returns whether it is to be kept, as the tile beside it is not there yet. */
+static bool join_face(outside_labels *o, size_t record, const tribox_window *w, int face, const uint32_t *labels)
+{
+    size_t beside = 0;
+    const size_t cells = face_cells(w, face);
+    const uint32_t from = o->tiles[record].from;
+    const bool is_within = find_beside(o, (size_t)o->set->records[record].tile, face, &beside);
+    const uint32_t other = is_within ? o->record_of[beside] : NO_RECORD;
+    if (other == NO_RECORD) {
+        tribox_fill_join(o->parents, labels, from, NULL, is_within ? (uint32_t)beside + 1 : 0, cells);
+        return false;
+    }
+    labelled_tile *const tile = &o->tiles[other];
+    if (!tile->is_there)
+        return true;
+    tribox_fill_join(o->parents, labels, from, tile->faces[face ^ 1], tile->from, cells);
+    free(tile->faces[face ^ 1]);
+    tile->faces[face ^ 1] = NULL;
+    return false;
+}
+
+/*
+ * Adds a record's tile: its faces, of which those that are kept are taken over and NULL then. One thread at a time. False where
+ * there is no memory, or no number is left.
+ */
+static bool labels_add(outside_labels *o, size_t record, uint32_t *faces[6], uint32_t count)
+{
+    const tribox_window w = tile_cells_of(o->set, (size_t)o->set->records[record].tile);
+    labelled_tile *const tile = &o->tiles[record];
+    tile->from = (uint32_t)o->count;
+    tile->count = count;
+    if (!add_labels(o, count))
+        return false;
+    for (int face = 0; face < 6; face++)
+        if (join_face(o, record, &w, face, faces[face])) {
+            tile->faces[face] = faces[face];
+            faces[face] = NULL;
+        }
+    tile->is_there = true;
+    return true;
+}
+
+/* Of tiles without triangles: one label each. */
+static void join_tiles(outside_labels *o, size_t tile)
+{
+    static const uint32_t one = 0;
+    for (int face = 0; face < 6; face++) {
+        size_t beside = 0;
+        const bool is_within = find_beside(o, tile, face, &beside);
+        if (!is_within || o->record_of[beside] == NO_RECORD)
+            tribox_fill_join(o->parents, &one, (uint32_t)tile + 1, NULL, is_within ? (uint32_t)beside + 1 : 0, 1);
+    }
+}
+
+/* When all are added: joins the tiles without triangles. A root is the least of its labels, so that of the outside is 0. */
+static void labels_finish(outside_labels *o)
+{
+    for (size_t t = 0; t < o->set->tiles; t++)
+        if (o->record_of[t] == NO_RECORD)
+            join_tiles(o, t);
+    for (size_t n = 0; n < o->count; n++)
+        o->parents[n] = tribox_fill_root(o->parents, (uint32_t)n);
+}
+
+/* Whether the outside reaches the cells of a label, and all of a tile without triangles. */
+static bool has_label(const outside_labels *o, uint32_t label) { return o->parents[label] == 0; }
+static bool has_tile(const outside_labels *o, size_t tile) { return has_label(o, (uint32_t)tile + 1); }
+
+/* ---------------------------------------------------------------------------------------------------------------------- threads */
+
+typedef struct outside {
+    const beams *beams;
+    outside_labels labels;
+} outside;
 
 /* Of a thread: a tile, and for the second pass the tiles of a beam. */
 typedef struct outside_room {
@@ -82,7 +240,7 @@ static int label_tile(void *data, void *place, size_t record)
     tribox_report report;
     tribox_status status = TRIBOX_OK;
     for (int face = 0; face < 6; face++) {
-        r->faces[face] = malloc(outside_face_cells(&w, face) * sizeof *r->faces[face]);
+        r->faces[face] = malloc(face_cells(&w, face) * sizeof *r->faces[face]);
         status = r->faces[face] ? status : MESSAGE_NO_MEMORY;
     }
     if (!status)
@@ -94,13 +252,13 @@ static int add_tile(void *data, void *place, size_t record)
 {
     const labelling *const l = data;
     outside_room *const r = place;
-    const bool is_added = outside_labels_add(&l->o->labels, record, r->faces, r->labels);
+    const bool is_added = labels_add(&l->o->labels, record, r->faces, r->labels);
     free_faces(r);
     progress_tell(l->bar, (double)(record + 1) / (double)l->o->beams->set->count);
     return is_added ? 0 : (int)MESSAGE_NO_MEMORY;
 }
 
-tribox_status outside_start(const beams *b, unsigned threads, progress *bar, outside *o)
+static tribox_status open_outside(const beams *b, const double x[2], unsigned threads, progress *bar, void **about)
 {
     const crew_work work = {.threads = threads,
                             .count = b->set->count,
@@ -108,14 +266,25 @@ tribox_status outside_start(const beams *b, unsigned threads, progress *bar, out
                             .end = end_room,
                             .step = label_tile,
                             .tell = add_tile};
+    outside *const o = calloc(1, sizeof *o);
+    (void)x;
+    *about = o;
+    if (!o)
+        return MESSAGE_NO_MEMORY;
     o->beams = b;
-    const int status = outside_labels_start(b->set, &o->labels) ? crew_do(&work, &(labelling){o, bar}) : (int)MESSAGE_NO_MEMORY;
+    const int status = labels_start(b->set, &o->labels) ? crew_do(&work, &(labelling){o, bar}) : (int)MESSAGE_NO_MEMORY;
     if (!status)
-        outside_labels_finish(&o->labels);
+        labels_finish(&o->labels);
     return (tribox_status)status;
 }
 
-void outside_end(outside *o) { outside_labels_free(&o->labels); }
+static void close_outside(void *about)
+{
+    outside *const o = about;
+    if (o)
+        labels_free(&o->labels);
+    free(o);
+}
 
 /* ------------------------------------------------------------------------------------------------------------------ second pass */
 
@@ -139,7 +308,7 @@ static bool find_outside(const outside *o, size_t record, outside_room *r)
     r->mask = mask;
     memset(mask, 0, words * sizeof *mask);
     for (uint32_t n = 0; n < tile->count; n++)
-        mask[n / 64] |= (uint64_t)outside_has_label(&o->labels, tile->from + n) << n % 64;
+        mask[n / 64] |= (uint64_t)has_label(&o->labels, tile->from + n) << n % 64;
     return true;
 }
 
@@ -179,7 +348,7 @@ static void add_tile_cells(beam_solid *to, const tribox_window *w, fill_cells ce
     const size_t words = tribox_window_words(w->size);
     if (cells != FILL_CELLS_ALL) {
         memcpy(inside, surface, words * sizeof *inside);
-        beam_keep_inside(inside, solid, words);
+        fill_keep_inside(inside, solid, words);
     }
     add_cells(to, w, cells == FILL_CELLS_INSIDE ? inside : solid, cells == FILL_CELLS_LABELLED ? inside : NULL);
 }
@@ -205,7 +374,7 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
                 return status;
             add_tile_cells(solid, &w, cells, r->surface, to, to + words / 2);
             to += words;
-        } else if (!outside_has_tile(&o->labels, t)) {
+        } else if (!has_tile(&o->labels, t)) {
             add_cells(solid, &w, NULL, NULL);
             found->inside += cells_of(&w);
         }
@@ -213,4 +382,4 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
     return TRIBOX_OK;
 }
 
-beam_filling outside_filling(const outside *o) { return (beam_filling){o, start_room, fill_beam, end_room}; }
+const beam_filling beam_outside = {open_outside, close_outside, start_room, fill_beam, end_room};

@@ -1,5 +1,5 @@
 /* parity_beams.c - which triangles the rays of each beam may cross, and the beams filled from these. */
-#include "parity_beams.h"
+#include "beam.h"
 
 #include <float.h>
 #include <math.h>
@@ -10,6 +10,12 @@
 #include "tribox_threads.h"
 
 /* ------------------------------------------------------------------------------------------------------------------------ lists */
+
+typedef struct parity {
+    const beams *beams;
+    size_t *starts; /* of the list of each beam */
+    uint32_t *list; /* triangles that its rays may cross, before and behind the grid too */
+} parity;
 
 /* The grid with two cells along x that reach over the mesh, in one tile: so tiles are the beams, on the same planes. */
 static tribox_grid beam_grid(const tribox_grid *grid, double lo, double hi)
@@ -31,23 +37,31 @@ static tribox_status list_beams(parity *p, const tribox_grid *grid)
                    : tribox_mesh_tile_lists(t->mesh, grid, &all, &listing, p->starts, p->list);
 }
 
-tribox_status parity_start(const beams *b, double lo, double hi, parity *p)
+static tribox_status open_parity(const beams *b, const double x[2], unsigned threads, progress *bar, void **about)
 {
-    const tribox_grid grid = beam_grid(&b->set->task.grid, lo, hi);
-    *p = (parity){.beams = b, .starts = malloc((b->count + 1) * sizeof *p->starts)};
-    if (!p->starts)
+    const tribox_grid grid = beam_grid(&b->set->task.grid, x[0], x[1]);
+    parity *const p = calloc(1, sizeof *p);
+    (void)threads, (void)bar;
+    *about = p;
+    if (!p)
         return MESSAGE_NO_MEMORY;
-    const tribox_status status = list_beams(p, &grid);
+    p->beams = b;
+    p->starts = malloc((b->count + 1) * sizeof *p->starts);
+    const tribox_status status = p->starts ? list_beams(p, &grid) : MESSAGE_NO_MEMORY;
     if (status)
         return status;
     p->list = malloc(p->starts[b->count] * sizeof *p->list + 1);
     return p->list ? list_beams(p, &grid) : MESSAGE_NO_MEMORY;
 }
 
-void parity_end(parity *p)
+static void close_parity(void *about)
 {
+    parity *const p = about;
+    if (!p)
+        return;
     free(p->starts);
     free(p->list);
+    free(p);
 }
 
 /* ------------------------------------------------------------------------------------------------------------------------ beams */
@@ -181,10 +195,10 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
     if (!status)
         status = fill_window(p, r, beam, &w, found);
     if (!status && p->beams->cells != FILL_CELLS_ALL)
-        beam_keep_inside(r->surface, r->solid, tribox_window_words(w.size));
+        fill_keep_inside(r->surface, r->solid, tribox_window_words(w.size));
     if (!status)
         hand_on(p, r, beam, &w, solid);
     return status;
 }
 
-beam_filling parity_filling(const parity *p) { return (beam_filling){p, start_room, fill_beam, end_room}; }
+const beam_filling beam_parity = {open_parity, close_parity, start_room, fill_beam, end_room};

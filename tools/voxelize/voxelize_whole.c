@@ -11,7 +11,7 @@
 #include "console/message.h"
 #include "console/pages.h"
 #include "console/progress.h"
-#include "fill/beam.h"
+#include "fill/fill_tiles.h"
 #include "layers.h"
 #include "read/mesh.h"
 #include "tile_crew.h"
@@ -251,7 +251,7 @@ static int fill_if_wanted(const whole *w, voxelize_answer *a)
     if (w->r->fill == FILL_MIDDLES)
         a->seconds = clock_seconds() - start; /* all that there is to do */
     if (w->r->cells != FILL_CELLS_ALL)
-        beam_keep_inside(w->surface, w->solid, w->words);
+        fill_keep_inside(w->surface, w->solid, w->words);
     a->inside = f.inside;
     voxelize_note_fill(w->r, f.odd_rows, a);
     return EXIT_CODE_OK;
