@@ -6,9 +6,8 @@
 #ifndef BOX_AFTER_BOX_H
 #define BOX_AFTER_BOX_H
 
-#include "found_words.h"
-#include "overlap.h"
 #include "read/mesh.h"
+#include "report.h"
 
 typedef struct box_after_box {
     const request *r;

@@ -2,8 +2,17 @@
 #ifndef REPORT_H
 #define REPORT_H
 
-#include "found_words.h"
 #include "overlap.h"
+
+/* What an index finds: the words of a mask that are not zero, in ascending order. */
+typedef struct found_words {
+    size_t room;       /* the words of the whole mask */
+    size_t count;      /* those that are there */
+    uint32_t *number;  /* bit b of bits[k] is triangle 64 * number[k] + b */
+    uint64_t *bits;    /* what all others point into */
+    uint64_t *mask;    /* a whole mask and */
+    uint64_t *touched; /* a bit for each of its words: zero between calls */
+} found_words;
 
 /*
  * Continues the list of an answer, or starts it where first is 0, with the numbers of the triangles first .. first + count - 1
