@@ -8,8 +8,20 @@
 #ifndef LATTICE_H
 #define LATTICE_H
 
-#include "fans.h"
 #include "rectangles.h"
+
+/*
+ * Which of the faces around a point of the grid belong together.
+ *
+ * Eight cells meet in a point; bit dx + 2 dy + 4 dz of their `around` is set where the cell on that side of it is. A face between a
+ * set cell and a clear one ends in the point. Two faces with an edge in common belong together; where an edge has four, since two
+ * set cells touch in it alone, those of the same cell do. What belongs together is a fan: with a vertex for each fan, the surface
+ * is a manifold.
+ */
+typedef struct fans {
+    uint8_t count[256];
+    uint8_t of[256][12];
+} fans;
 
 typedef struct lattice_extra {
     uint64_t key;   /* 4 times the number of the point; plus 3, or the axis of the edge that begins there */
