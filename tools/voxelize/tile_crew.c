@@ -1,6 +1,6 @@
 /* tile_crew.c - threads that take a few tiles in turn, and hand on their bricks in the order of the tiles. */
 #define _POSIX_C_SOURCE 200809L
-#include "tile_crew.h"
+#include "tile_set.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,6 @@
 #include "console/crew.h"
 #include "console/memory.h"
 #include "console/pages.h"
-#include "tile_set.h"
 #include "write/voxels.h"
 
 typedef struct kept_brick {

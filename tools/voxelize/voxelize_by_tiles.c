@@ -5,7 +5,7 @@
 #include "console/clock.h"
 #include "console/message.h"
 #include "fill/fill_tiles.h"
-#include "tile_crew.h"
+#include "tile_set.h"
 #include "voxelize_ways.h"
 #include "write/brick_out.h"
 #include "write/brick_cutter.h"

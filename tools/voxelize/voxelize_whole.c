@@ -14,7 +14,6 @@
 #include "fill/fill_tiles.h"
 #include "layers.h"
 #include "read/mesh.h"
-#include "tile_crew.h"
 #include "tile_set.h"
 #include "tribox_threads.h"
 #include "voxelize_ways.h"
