@@ -6,7 +6,7 @@
 #include "console/message.h"
 #include "fill/fill_tiles.h"
 #include "tile_set.h"
-#include "voxelize_ways.h"
+#include "voxelize_work.h"
 #include "write/brick_out.h"
 #include "write/brick_cutter.h"
 #include "write/part.h"
@@ -98,7 +98,7 @@ static tribox_status run_filled(const tile_job *j, const filled_sink *sink, voxe
     a->bricks = found.bricks;
     a->inside = found.inside;
     if (!status)
-        voxelize_note_fill(j->r, found.odd_rows, a);
+        voxelize_note_rows(found.odd_rows, a);
     return status;
 }
 

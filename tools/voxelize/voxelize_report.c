@@ -8,6 +8,9 @@
 #include "console/decimal.h"
 #include "console/duration.h"
 #include "console/output.h"
+#include "voxelize_work.h"
+
+static const char *const fill_words[] = {[FILL_OUTSIDE] = "outside", [FILL_PARITY] = "parity", [FILL_MIDDLES] = "middles"};
 
 static double cells_of(const voxelize_answer *a)
 {
@@ -21,12 +24,13 @@ static double ns_per_triangle(const voxelize_answer *a) { return 1e9 * a->second
 /* The rate is left out for so few that starting the threads takes most of the time. */
 static void print_time(const voxelize_answer *a)
 {
+    const voxelize_request *const r = a->r;
     enum { FEW = 1000 };
     char text[DURATION_MAX];
     printf("time         %s", duration_text(a->seconds, text));
     if (a->report.overlapping >= FEW)
         printf(", %s cells a second", duration_count((double)a->report.overlapping / a->seconds, text));
-    printf(!a->tile ? " (the voxelization alone)\n" : a->out_path ? " (with writing)\n" : "\n");
+    printf(!a->tile ? " (the voxelization alone)\n" : r->result.out_path ? " (with writing)\n" : "\n");
 }
 
 void voxelize_print_grid(const voxels *v, bool is_shifted)
@@ -72,37 +76,40 @@ void voxelize_print_preview(const char *path, const char *up) { printf("preview 
 /* Which cells of a fill the file has. */
 static const char *cells_word(const voxelize_answer *a)
 {
+    const voxelize_request *const r = a->r;
     static const char *const words[] = {[FILL_CELLS_ALL] = "all", [FILL_CELLS_LABELLED] = "labels", [FILL_CELLS_INSIDE] = "inside"};
-    return words[a->has_no_surface ? FILL_CELLS_INSIDE : a->filled];
+    return words[r->fill == FILL_MIDDLES ? FILL_CELLS_INSIDE : r->cells];
 }
 
 /* Nothing inside is mostly no closed surface, of which parity says as much by its odd rows. */
 static const char *cells_note(const voxelize_answer *a)
 {
-    if (!a->inside && !a->has_rows)
+    const voxelize_request *const r = a->r;
+    if (!a->inside && !(r->fill == FILL_PARITY || r->fill == FILL_MIDDLES))
         return "; the surface is open by a cell or more, or encloses none";
     static const char *const notes[] = {
         [FILL_CELLS_ALL] = "", [FILL_CELLS_LABELLED] = "; label 2, the surface 1", [FILL_CELLS_INSIDE] = "; alone in the file"};
-    return notes[a->filled];
+    return notes[r->cells];
 }
 
 static void print_summary(const voxelize_answer *a)
 {
-    printf("mesh         %s\n", a->mesh_path);
+    const voxelize_request *const r = a->r;
+    printf("mesh         %s\n", r->from.mesh_path);
     printf("triangles    %zu\n", a->triangles);
     printf("positions    %s\n", a->is_double ? "float64" : "float32");
     voxelize_print_grid(&a->cells, a->is_shifted);
-    if (a->shard)
-        printf("shard        %u of %u: %zu tiles from %zu\n", a->shard, a->shards, a->tiles, a->from_tile);
-    if (!a->has_no_surface)
-        printf("occupied     %zu cells (%.4g %%)%s\n", a->report.overlapping, share_percent(a), a->is_thin ? ", thin" : "");
+    if (r->has_shard)
+        printf("shard        %u of %u: %zu tiles from %zu\n", r->shard, r->shards, a->tiles, a->from_tile);
+    if (r->fill != FILL_MIDDLES)
+        printf("occupied     %zu cells (%.4g %%)%s\n", a->report.overlapping, share_percent(a), r->is_thin ? ", thin" : "");
     if (a->colours)
         printf("colours      of its %s\n", a->colours);
-    if (a->has_ids)
+    if (r->result.options.has_ids)
         puts("ids          the lowest triangle of each cell");
-    if (a->fill)
-        printf("inside       %zu cells (%s%s)\n", a->inside, a->fill, cells_note(a));
-    if (a->has_rows)
+    if (r->fill != FILL_NONE)
+        printf("inside       %zu cells (%s%s)\n", a->inside, fill_words[r->fill], cells_note(a));
+    if (r->fill == FILL_PARITY || r->fill == FILL_MIDDLES)
         printf("odd rows     %zu\n", a->odd_rows);
     if (a->has_bricks)
         printf("bricks       %" PRIu64 " of 8 x 8 x 8 cells", a->bricks);
@@ -111,69 +118,70 @@ static void print_summary(const voxelize_answer *a)
     if (a->has_bricks)
         putchar('\n');
     printf("undecided    %zu\n", a->report.undecided);
-    printf("test         %s, axes ", accuracy_word(a->test.accuracy));
-    output_axes(a->test.axes);
-    printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&a->test), a->threads, a->threads == 1 ? "" : "s");
+    printf("test         %s, axes ", accuracy_word(r->test.accuracy));
+    output_axes(r->test.axes);
+    printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&r->test), r->threads, r->threads == 1 ? "" : "s");
     print_time(a);
-    if (a->out_path)
-        voxelize_print_written(a->out_path, a->lacks_place);
-    if (a->preview_path)
-        voxelize_print_preview(a->preview_path, a->up);
+    if (r->result.out_path)
+        voxelize_print_written(r->result.out_path, !r->result.format->has_place);
+    if (r->result.preview_path)
+        voxelize_print_preview(r->result.preview_path, result_up(&r->result));
 }
 
 static void print_json(const voxelize_answer *a)
 {
+    const voxelize_request *const r = a->r;
     json j = json_to(stdout);
     json_open_object(&j, NULL);
-    json_string(&j, "mesh", a->mesh_path);
+    json_string(&j, "mesh", r->from.mesh_path);
     json_whole(&j, "triangles", a->triangles);
     json_string(&j, "positions", a->is_double ? "float64" : "float32");
     json_whole(&j, "not_finite", a->not_finite);
     voxelize_json_grid(&j, &a->cells, a->is_shifted);
-    if (a->shard) {
-        json_whole(&j, "shard", a->shard);
-        json_whole(&j, "shards", a->shards);
+    if (r->has_shard) {
+        json_whole(&j, "shard", r->shard);
+        json_whole(&j, "shards", r->shards);
         json_whole(&j, "first_tile", a->from_tile);
         json_whole(&j, "tiles", a->tiles);
     }
-    if (!a->has_no_surface) {
+    if (r->fill != FILL_MIDDLES) {
         json_whole(&j, "occupied", a->report.overlapping);
         json_number(&j, "share_percent", 6, share_percent(a));
     }
-    if (a->is_thin)
+    if (r->is_thin)
         json_bool(&j, "thin", true);
     if (a->colours)
         json_string(&j, "colours", a->colours);
-    if (a->has_ids)
+    if (r->result.options.has_ids)
         json_bool(&j, "ids", true);
-    if (a->fill) {
-        json_string(&j, "fill", a->fill);
+    if (r->fill != FILL_NONE) {
+        json_string(&j, "fill", fill_words[r->fill]);
         json_whole(&j, "inside", a->inside);
         json_string(&j, "cells", cells_word(a));
     }
-    if (a->has_rows)
+    if (r->fill == FILL_PARITY || r->fill == FILL_MIDDLES)
         json_whole(&j, "odd_rows", a->odd_rows);
     if (a->tile)
         json_whole(&j, "tile", a->tile);
     if (a->has_bricks)
         json_whole(&j, "bricks", a->bricks);
     json_whole(&j, "undecided", a->report.undecided);
-    json_string(&j, "accuracy", accuracy_word(a->test.accuracy));
-    output_json_axes(&j, a->test.axes);
-    json_string(&j, "kernel", tribox_kernel_name(&a->test));
-    json_whole(&j, "threads", a->threads);
+    json_string(&j, "accuracy", accuracy_word(r->test.accuracy));
+    output_json_axes(&j, r->test.axes);
+    json_string(&j, "kernel", tribox_kernel_name(&r->test));
+    json_whole(&j, "threads", r->threads);
     json_number(&j, "seconds", 6, a->seconds);
     json_number(&j, "ns_per_triangle", 6, ns_per_triangle(a));
-    if (a->out_path)
-        json_string(&j, "output", a->out_path);
-    if (a->preview_path)
-        json_string(&j, "preview", a->preview_path);
+    if (r->result.out_path)
+        json_string(&j, "output", r->result.out_path);
+    if (r->result.preview_path)
+        json_string(&j, "preview", r->result.preview_path);
     json_close(&j);
 }
 
-int voxelize_report(const voxelize_answer *a, bool wants_json)
+int voxelize_report(const voxelize_answer *a)
 {
-    if (wants_json)
+    if (a->r->result.wants_json)
         print_json(a);
     else
         print_summary(a);

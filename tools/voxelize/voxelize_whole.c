@@ -16,7 +16,7 @@
 #include "read/mesh.h"
 #include "tile_set.h"
 #include "tribox_threads.h"
-#include "voxelize_ways.h"
+#include "voxelize_work.h"
 #include "write/brick_cutter.h"
 #include "write/brick_writer.h"
 #include "write/voxels_room.h"
@@ -252,7 +252,7 @@ static int fill_if_wanted(const whole *w, voxelize_answer *a)
     if (w->r->cells != FILL_CELLS_ALL)
         fill_keep_inside(w->surface, w->solid, w->words);
     a->inside = f.inside;
-    voxelize_note_fill(w->r, f.odd_rows, a);
+    voxelize_note_rows(f.odd_rows, a);
     return EXIT_CODE_OK;
 }
 

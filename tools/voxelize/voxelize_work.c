@@ -9,7 +9,6 @@
 #include "console/interrupt.h"
 #include "console/memory.h"
 #include "console/message.h"
-#include "voxelize_ways.h"
 
 /*
  * Whether all cells at once take less time than tile by tile, and are the same: up to 2 MB of bits, which a core has at hand, and
@@ -42,18 +41,13 @@ voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in)
     return voxel_task_of_soup(in->mesh ? &in->mesh->soup : &nothing, grid, &r->test);
 }
 
-void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_answer *a)
+void voxelize_note_rows(size_t odd_rows, voxelize_answer *a)
 {
-    static const char *const words[] = {[FILL_OUTSIDE] = "outside", [FILL_PARITY] = "parity", [FILL_MIDDLES] = "middles"};
-    a->fill = words[r->fill];
-    a->filled = r->cells;
-    a->has_no_surface = r->fill == FILL_MIDDLES;
-    a->has_rows = r->fill != FILL_OUTSIDE;
     a->odd_rows = odd_rows;
     if (odd_rows)
         message_say("warning: %s is not closed: %zu rows of cells cross it an odd number of times, and what is filled there may be "
                     "wrong; --fill outside asks only the cells",
-                    triangle_file_name(r->from.mesh_path), odd_rows);
+                    triangle_file_name(a->r->from.mesh_path), odd_rows);
 }
 
 static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
@@ -175,19 +169,9 @@ static int work_on_partition(const voxelize_request *r, voxelize_answer *a)
 
 int voxelize_work(const voxelize_request *r)
 {
-    voxelize_answer a = {.mesh_path = r->from.mesh_path,
-                         .out_path = r->result.out_path,
-                         .preview_path = r->result.preview_path,
-                         .up = result_up(&r->result),
-                         .lacks_place = r->result.format && !r->result.format->has_place,
-                         .is_thin = r->is_thin,
-                         .has_ids = r->result.options.has_ids,
-                         .test = r->test,
-                         .threads = r->threads,
-                         .shard = r->has_shard ? r->shard : 0,
-                         .shards = r->shards};
+    voxelize_answer a = {.r = r};
     if (r->result.format && r->result.format->begin)
         r->result.format->begin();
     const int code = partition_is_folder(r->from.mesh_path) ? work_on_partition(r, &a) : work_on_mesh(r, &a);
-    return code || !r->result.has_summary ? code : voxelize_report(&a, r->result.wants_json);
+    return code || !r->result.has_summary ? code : voxelize_report(&a);
 }
