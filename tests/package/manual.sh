@@ -5,7 +5,7 @@
 source=$1 libdir_built=$2
 page=$(find "$root" -name tribox.3)
 
-for each in "$page" "$source/tools/tribox.1"; do
+for each in "$page" $(find "$root" -name tribox.1); do
     if command -v mandoc >/dev/null; then
         mandoc -Tlint -Wwarning "$each" || die "mandoc warns about ${each##*/}"
     fi
