@@ -19,8 +19,7 @@
 #include "write/brick_out.h"
 #include "write/file_out.h"
 #include "write/part.h"
-#include "write/parts_npz.h"
-#include "write/voxels_room.h"
+#include "write/voxels.h"
 
 typedef struct merge_request {
     const char **parts; /* paths, with room for all words */
@@ -99,7 +98,7 @@ static bool has_places(const merging *m)
 static int write_places(merging *m, part *parts, size_t count, file_out *out)
 {
     m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
-    const int code = parts_npz_write(out, parts, count, &m->cells, m->r->threads, &m->bar);
+    const int code = parts_npz_write(out, parts, count, m->r->threads, &m->bar);
     progress_end(&m->bar);
     return code ? code : file_out_keep(out);
 }
@@ -192,7 +191,7 @@ static int merge(const merge_request *r, part *parts, size_t count)
     if (code)
         return code;
     const part_whole *const whole = &parts[0].header.whole;
-    merging m = {.r = r, .cells = part_voxels(whole), .has_ids = whole->has_ids};
+    merging m = {.r = r, .cells = whole->cells, .has_ids = whole->has_ids};
     for (size_t i = 0; i < count; i++)
         m.all += parts[i].bricks;
     code = check_ids(r, parts);

@@ -22,7 +22,7 @@
 #include "target.h"
 #include "write/checksum.h"
 #include "write/part.h"
-#include "write/zip_in.h"
+#include "write/zip.h"
 
 typedef struct bytes {
     const uint8_t *first;
@@ -160,7 +160,7 @@ typedef struct part_bricks {
 static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
 {
     part_bricks *const read = data;
-    const uint32_t *const size = read->p->header.whole.size;
+    const uint32_t *const size = read->p->header.whole.cells.grid.size;
     for (int a = 0; a < 3; a++)
         ensure(brick->at[a] <= (size[a] - 1) / 8, "a brick is outside the grid");
     for (uint32_t k = 0; k < 8; k++)

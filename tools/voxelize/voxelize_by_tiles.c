@@ -10,7 +10,7 @@
 #include "write/brick_out.h"
 #include "write/brick_cutter.h"
 #include "write/part.h"
-#include "write/voxels_room.h"
+#include "write/voxels.h"
 
 /* Where the bricks go; at least one of them, or none to count. */
 typedef struct brick_goals {
@@ -46,19 +46,18 @@ static part_header header_of(const tile_job *j)
     const voxelize_request *const r = j->r;
     const mesh *const m = j->in->mesh;
     const partition_header *const p = m ? NULL : &j->in->partition->header;
-    part_header header = {.shard = r->shard,
-                          .whole = {.shards = r->shards,
-                                    .accuracy = r->test.accuracy,
-                                    .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
-                                    .position_bytes = m ? (m->is_double ? sizeof(double) : sizeof(float)) : p->position_bytes,
-                                    .tile = j->set->tile,
-                                    .has_ids = r->result.options.has_ids,
-                                    .triangles = m ? m->triangles : p->triangles,
-                                    .sums = m ? mesh_sums_of(m) : p->sums},
-                          .from = j->from_tile,
-                          .to = j->to_tile};
-    part_set_grid(&header.whole, &j->in->cells);
-    return header;
+    return (part_header){.shard = r->shard,
+                         .whole = {.cells = j->in->cells,
+                                   .shards = r->shards,
+                                   .accuracy = r->test.accuracy,
+                                   .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
+                                   .position_bytes = m ? (m->is_double ? sizeof(double) : sizeof(float)) : p->position_bytes,
+                                   .tile = j->set->tile,
+                                   .has_ids = r->result.options.has_ids,
+                                   .triangles = m ? m->triangles : p->triangles,
+                                   .sums = m ? mesh_sums_of(m) : p->sums},
+                         .from = j->from_tile,
+                         .to = j->to_tile};
 }
 
 /* The surface alone. */

@@ -19,7 +19,7 @@
 #include "voxelize_work.h"
 #include "write/brick_cutter.h"
 #include "write/brick_writer.h"
-#include "write/voxels_room.h"
+#include "write/voxels.h"
 
 /* ---------------------------------------------------------------------------------------------------------------------- colours */
 

@@ -5,9 +5,9 @@
 #include "brick_writer.h"
 #include "colours/cell_colours.h"
 #include "console/message.h"
-#include "npz_members.h"
+#include "npz.h"
 #include "read/little.h"
-#include "waiting.h"
+#include "spool.h"
 
 enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512 };
 
@@ -16,7 +16,6 @@ typedef struct npz {
     zip_out zip;
     waiting places, colours, insides, ids; /* all but the first where there are some */
     uint64_t cells;                        /* that have ids */
-    deflater *deflater;                    /* NULL: not deflated */
     size_t count;                          /* bricks that are in none yet: for a few bytes each call costs too much */
     unsigned char place[BLOCK][AT_BYTES], words[BLOCK][BITS_BYTES], inside[BLOCK][BITS_BYTES];
 } npz;
@@ -27,7 +26,7 @@ static void free_npz(npz *z)
     waiting_free(&z->colours);
     waiting_free(&z->insides);
     waiting_free(&z->ids);
-    deflater_free(z->deflater);
+    zip_free(&z->zip);
     free(z);
 }
 
@@ -36,17 +35,15 @@ static int open_npz(brick_out *out)
     npz *const z = calloc(1, sizeof *z);
     if (!z)
         return message_failure("%s: out of memory", out->file->path);
-    z->deflater = out->options.is_deflated ? deflater_new() : NULL;
     z->places = waiting_for(out->file);
     z->colours = out->cells.colours ? waiting_for(out->file) : (waiting){.count = 0};
     z->insides = out->options.has_labels ? waiting_for(out->file) : (waiting){.count = 0};
     z->ids = out->options.has_ids ? waiting_for(out->file) : (waiting){.count = 0};
-    if (out->options.is_deflated && !z->deflater) {
+    if (!zip_begin(&z->zip, out->to, out->options.is_deflated)) {
         free_npz(z);
         return message_failure("%s: out of memory", out->file->path);
     }
-    zip_begin(&z->zip, out->to, z->deflater);
-    zip_begin_member(&z->zip, "bits.npy");
+    zip_begin_member(&z->zip, npz_arrays[NPZ_BITS].name);
     out->state = z;
     return EXIT_CODE_OK;
 }
@@ -96,22 +93,22 @@ static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
     return code || ++z->count < BLOCK ? code : write_block(out);
 }
 
-static void end_rows(npz *z, const char *type, uint64_t rows, int columns)
+static void end_rows(npz *z, int array, uint64_t rows)
 {
     unsigned char header[NPY_HEADER];
-    npz_rows(header, type, rows, columns);
+    npz_header(header, array, rows);
     zip_end_member(&z->zip, header);
 }
 
 static void add_some(void *zip, const void *bytes, size_t count) { zip_add(zip, bytes, count); }
 
-/* What waited beside the file, as for npz_rows. */
-static int add_waited(npz *z, waiting *from, const char *name, const char *type, uint64_t rows, int columns)
+/* What waited beside the file. */
+static int add_waited(npz *z, waiting *from, int array, uint64_t rows)
 {
-    zip_begin_member(&z->zip, name);
+    zip_begin_member(&z->zip, npz_arrays[array].name);
     const int code = waiting_hand_on(from, add_some, &z->zip);
     if (!code)
-        end_rows(z, type, rows, columns);
+        end_rows(z, array, rows);
     return code;
 }
 
@@ -122,19 +119,17 @@ static int end_npz(brick_out *out, progress *bar)
     int code = write_block(out);
     if (code)
         return code;
-    end_rows(z, "<u8", out->bricks, 8);
-    code = add_waited(z, &z->places, "at.npy", "<u4", out->bricks, 3);
+    end_rows(z, NPZ_BITS, out->bricks);
+    code = add_waited(z, &z->places, NPZ_AT, out->bricks);
     if (!code && out->options.has_labels)
-        code = add_waited(z, &z->insides, "inside.npy", "<u8", out->bricks, 8);
+        code = add_waited(z, &z->insides, NPZ_INSIDE, out->bricks);
     if (!code && out->cells.colours)
-        code = add_waited(z, &z->colours, "colours.npy", "|u1", out->cells.colours->cells, 3);
+        code = add_waited(z, &z->colours, NPZ_COLOURS, out->cells.colours->cells);
     if (!code && out->options.has_ids)
-        code = add_waited(z, &z->ids, "ids.npy", "<u4", z->cells, 0);
+        code = add_waited(z, &z->ids, NPZ_IDS, z->cells);
     if (code)
         return code;
-    npz_add_grid(&z->zip, &out->cells);
-    if (out->part)
-        npz_add_part(&z->zip, out->part);
+    npz_add_about(&z->zip, &out->cells, out->part);
     zip_end(&z->zip);
     return EXIT_CODE_OK;
 }

@@ -1,7 +1,7 @@
 /* bricks_npz_none.c - stands in for bricks_npz.c where the program is built without zlib. */
 #include "brick_writer.h"
 #include "console/message.h"
-#include "parts_npz.h"
+#include "part.h"
 
 const brick_writer bricks_npz = {.open = NULL};
 
@@ -24,8 +24,8 @@ int part_read(part *p, part_take *take, void *data)
     return part_open(p, p->path);
 }
 
-int parts_npz_write(file_out *out, part *parts, size_t count, const voxels *v, unsigned threads, progress *bar)
+int parts_npz_write(file_out *out, part *parts, size_t count, unsigned threads, progress *bar)
 {
-    (void)parts, (void)count, (void)v, (void)threads, (void)bar;
+    (void)parts, (void)count, (void)threads, (void)bar;
     return bricks_check_npz(out->path, NULL);
 }

@@ -8,7 +8,6 @@
 #include "brick_writer.h"
 #include "console/message.h"
 #include "shell_file.h"
-#include "voxels_room.h"
 
 /* Progress: so much for finding the surface, the rest for writing. */
 static const double share_of_finding = 0.7;

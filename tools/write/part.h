@@ -5,15 +5,15 @@
 #include <stdbool.h>
 
 #include "checksum.h"
+#include "console/progress.h"
+#include "file_out.h"
 #include "read/mesh.h"
 #include "voxels.h"
-#include "zip_out.h"
+#include "zip.h"
 
 /* What all parts of a whole have in common. */
 typedef struct part_whole {
-    double origin[3], cell[3]; /* of the grid */
-    double shift[3];           /* what was subtracted from the mesh */
-    uint32_t size[3];
+    voxels cells; /* the grid and the shift alone */
     uint32_t shards;
     uint32_t accuracy, axes; /* as in tribox_options */
     uint32_t position_bytes; /* 4: the mesh is one of floats, 8: of doubles */
@@ -37,10 +37,6 @@ typedef struct part_brick {
     uint64_t bits[8];
 } part_brick;
 
-/* Takes grid and shift from the voxels, and gives them back. */
-void part_set_grid(part_whole *whole, const voxels *v);
-voxels part_voxels(const part_whole *whole);
-
 /* A checksum of the nine numbers of a triangle, as doubles; 0 of one that is not finite. */
 uint64_t part_triangle_checksum(const double u[9]);
 
@@ -50,7 +46,7 @@ mesh_sums mesh_sums_of(const mesh *m);
 typedef struct part {
     const char *path;
     part_header header;
-    zip_member arrays[3]; /* bits, places and ids of the bricks: npz_members.h */
+    zip_member arrays[3]; /* bits, places and ids of the bricks: npz.h */
     uint64_t bricks, ids;
     uint64_t cells; /* that part_read has found */
 } part;
@@ -66,5 +62,12 @@ typedef int part_take(void *data, const part_brick *brick, const uint32_t *ids);
 
 /* Reads a part to its end, in little memory, and refuses one that is damaged: what was taken until then is void. */
 int part_read(part *p, part_take *take, void *data);
+
+/*
+ * Writes the content of an open file that is not standard output, by threads, as where the bricks of each part go is known before
+ * they are read: the bytes of brick_out for the bricks of all parts, stored and not deflated. bar: of the share done. Returns an
+ * exit_code.
+ */
+int parts_npz_write(file_out *out, part *parts, size_t count, unsigned threads, progress *bar);
 
 #endif

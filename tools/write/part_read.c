@@ -7,21 +7,10 @@
 
 #include "console/message.h"
 #include "files/named_file.h"
-#include "npz_members.h"
-#include "part.h"
+#include "npz.h"
 #include "read/little.h"
-#include "zip_in.h"
 
 enum { BRICK = 8, BRICK_CELLS = 512, TILE_MOST = 1024, BLOCK = 1024 };
-
-/* The arrays that are read at once: what the file says of the whole, and of its place there. */
-enum { ORIGIN, CELL, SHIFT, SIZE, SHARD, TILES, WHOLE, ROWS, ROW_MOST = 7 };
-static const struct row {
-    const char *name, *type;
-    unsigned count, number_bytes;
-} rows[ROWS] = {{"origin.npy", "<f8", 3, 8},      {"cell.npy", "<f8", 3, 8},  {"shift.npy", "<f8", 3, 8},
-                {"size.npy", "<u4", 3, 4},        {"shard.npy", "<u4", 2, 4}, {"tiles.npy", "<u8", 2, 8},
-                {"whole.npy", "<u8", ROW_MOST, 8}};
 
 static const char again[] = "run that shard again";
 
@@ -49,48 +38,24 @@ static const zip_member *member_named(const zip_member *members, unsigned count,
 }
 
 /* Whether a member is an array of so many rows. */
-static bool has_header(zip_reader *r, const char *type, uint64_t count, int columns)
+static bool has_header(zip_reader *r, int array, uint64_t count)
 {
     unsigned char found[NPY_HEADER], due[NPY_HEADER];
-    npz_rows(due, type, count, columns);
+    npz_header(due, array, count);
     return zip_reader_read(r, found, sizeof found) && !memcmp(found, due, sizeof due);
 }
 
-static bool read_row(FILE *file, const zip_member *m, const struct row *row, uint64_t numbers[ROW_MOST])
+static bool read_row(FILE *file, const zip_member *m, int array, uint64_t numbers[NPZ_NUMBERS_MOST])
 {
-    unsigned char bytes[8 * ROW_MOST];
+    unsigned char bytes[8 * NPZ_NUMBERS_MOST];
+    const npz_array *const row = &npz_arrays[array];
     zip_reader r;
-    const bool is_read = zip_reader_open(&r, file, m) && has_header(&r, row->type, row->count, 0) &&
-                         zip_reader_read(&r, bytes, (size_t)row->count * row->number_bytes) && zip_reader_is_whole(&r);
+    const bool is_read = zip_reader_open(&r, file, m) && has_header(&r, array, row->rows) &&
+                         zip_reader_read(&r, bytes, row->rows * (size_t)row->row_bytes) && zip_reader_is_whole(&r);
     zip_reader_close(&r);
-    for (unsigned n = 0; n < row->count && is_read; n++)
-        numbers[n] = row->number_bytes == 4 ? little_get32(bytes + 4 * n) : little_get64(bytes + 8 * n);
+    for (unsigned n = 0; n < row->rows && is_read; n++)
+        numbers[n] = row->row_bytes == 4 ? little_get32(bytes + 4 * n) : little_get64(bytes + 8 * n);
     return is_read;
-}
-
-static bool fits32(uint64_t number) { return number <= UINT32_MAX; }
-
-/* False where numbers make no sense even before they are looked at. */
-static bool take_rows(part_header *h, uint64_t of[ROWS][ROW_MOST])
-{
-    part_whole *const whole = &h->whole;
-    const uint64_t *const numbers = of[WHOLE];
-    memcpy(whole->origin, of[ORIGIN], sizeof whole->origin);
-    memcpy(whole->cell, of[CELL], sizeof whole->cell);
-    memcpy(whole->shift, of[SHIFT], sizeof whole->shift);
-    for (int a = 0; a < 3; a++)
-        whole->size[a] = (uint32_t)of[SIZE][a];
-    h->shard = (uint32_t)of[SHARD][0];
-    whole->shards = (uint32_t)of[SHARD][1];
-    h->from = of[TILES][0];
-    h->to = of[TILES][1];
-    whole->triangles = numbers[0];
-    whole->sums = (mesh_sums){numbers[1], numbers[2]};
-    whole->position_bytes = (uint32_t)numbers[3];
-    whole->accuracy = (uint32_t)numbers[4];
-    whole->axes = (uint32_t)numbers[5];
-    whole->tile = (uint32_t)numbers[6];
-    return fits32(numbers[3]) && fits32(numbers[4]) && fits32(numbers[5]) && fits32(numbers[6]);
 }
 
 static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
@@ -99,11 +64,11 @@ static bool is_sound(const part_header *header)
 {
     const part_whole *const whole = &header->whole;
     const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
-    const voxels v = part_voxels(whole);
+    const voxels *const v = &whole->cells;
     return header->shard && header->shard <= whole->shards && whole->axes && is_size(whole->position_bytes) &&
-           isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && whole->tile && whole->tile <= TILE_MOST && whole->tile % BRICK == 0 &&
-           voxels_are_served(&v.grid, &options) && header->from <= header->to &&
-           header->to <= tribox_tile_count(whole->size, whole->tile);
+           isfinite(v->shift[0] + v->shift[1] + v->shift[2]) && whole->tile && whole->tile <= TILE_MOST &&
+           whole->tile % BRICK == 0 && voxels_are_served(&v->grid, &options) && header->from <= header->to &&
+           header->to <= tribox_tile_count(v->grid.size, whole->tile);
 }
 
 /* A member that no part has may be one that it has, under a damaged name. */
@@ -112,25 +77,26 @@ static int check_names(const part *p, const zip_member *members, unsigned count)
     unsigned known = 0;
     for (int a = 0; a < NPZ_ARRAYS; a++)
         known += member_named(members, count, npz_arrays[a].name) != NULL;
-    for (int r = 0; r < ROWS; r++) {
-        const bool is_there = member_named(members, count, rows[r].name);
+    for (int r = NPZ_ORIGIN; r < NPZ_END; r++) {
+        const bool is_there = member_named(members, count, npz_arrays[r].name);
         known += is_there;
         if (!is_there)
-            return r == SHARD
+            return r == NPZ_SHARD
                        ? message_failure("%s: is no part of a whole; give the files that tribox voxelize --shard wrote", p->path)
-                       : message_failure("%s: damaged, or no part: it lacks %s; %s", p->path, rows[r].name, again);
+                       : message_failure("%s: damaged, or no part: it lacks %s; %s", p->path, npz_arrays[r].name, again);
     }
     return known == count ? EXIT_CODE_OK
                           : message_failure("%s: damaged: it has members that parts do not have; %s", p->path, again);
 }
 
 /* How many rows an array has; UINT64_MAX where its header says otherwise. */
-static uint64_t count_rows(FILE *file, const zip_member *m, const npz_array *array)
+static uint64_t count_rows(FILE *file, const zip_member *m, int array)
 {
-    const uint64_t row_bytes = (uint64_t)array->row_bytes, count = m->bytes < NPY_HEADER ? 0 : (m->bytes - NPY_HEADER) / row_bytes;
+    const uint64_t row_bytes = (uint64_t)npz_arrays[array].row_bytes,
+                   count = m->bytes < NPY_HEADER ? 0 : (m->bytes - NPY_HEADER) / row_bytes;
     zip_reader r;
     const bool is_right = m->bytes == NPY_HEADER + count * row_bytes && zip_reader_open(&r, file, m);
-    const bool is_said = is_right && has_header(&r, array->type, count, array->columns);
+    const bool is_said = is_right && has_header(&r, array, count);
     if (is_right)
         zip_reader_close(&r);
     return is_said ? count : UINT64_MAX;
@@ -145,7 +111,7 @@ static int find_bricks(part *p, FILE *file, const zip_member *members, unsigned 
             return message_failure("%s: damaged: it lacks %s; %s", p->path, npz_arrays[a].name, again);
         p->header.whole.has_ids |= a == NPZ_IDS && m;
         p->arrays[a] = m ? *m : (zip_member){.bytes = 0};
-        found[a] = m ? count_rows(file, m, &npz_arrays[a]) : 0;
+        found[a] = m ? count_rows(file, m, a) : 0;
     }
     p->bricks = found[NPZ_BITS];
     p->ids = found[NPZ_IDS];
@@ -157,7 +123,7 @@ static int find_bricks(part *p, FILE *file, const zip_member *members, unsigned 
 static int read_about(part *p, FILE *file, uint64_t size)
 {
     zip_member members[ZIP_MEMBERS_MAX];
-    uint64_t numbers[ROWS][ROW_MOST];
+    npz_about about;
     const unsigned count = zip_in_list(file, size, members);
     if (!count)
         return message_failure("%s: not a part, or only the beginning of one, or damaged; give the .npz files that tribox voxelize "
@@ -166,10 +132,10 @@ static int read_about(part *p, FILE *file, uint64_t size)
     const int code = check_names(p, members, count);
     if (code)
         return code;
-    for (int r = 0; r < ROWS; r++)
-        if (!read_row(file, member_named(members, count, rows[r].name), &rows[r], numbers[r]))
-            return message_failure("%s: damaged: its %s is not what was written; %s", p->path, rows[r].name, again);
-    if (!take_rows(&p->header, numbers) || !is_sound(&p->header))
+    for (int r = NPZ_ORIGIN; r < NPZ_END; r++)
+        if (!read_row(file, member_named(members, count, npz_arrays[r].name), r, about.of[r]))
+            return message_failure("%s: damaged: its %s is not what was written; %s", p->path, npz_arrays[r].name, again);
+    if (!npz_take_about(&p->header, &about) || !is_sound(&p->header))
         return message_failure("%s: damaged: what it says of the whole makes no sense; %s", p->path, again);
     return find_bricks(p, file, members, count);
 }
@@ -205,7 +171,7 @@ static uint64_t enter_tile(const part_header *h, const uint32_t at[3], place *he
     const uint32_t side = h->whole.tile / BRICK;
     uint64_t tile = 0;
     for (int a = 2; a >= 0; a--) {
-        const uint32_t size = h->whole.size[a], tiles = size / h->whole.tile + (size % h->whole.tile != 0);
+        const uint32_t size = h->whole.cells.grid.size[a], tiles = size / h->whole.tile + (size % h->whole.tile != 0);
         if (at[a] > (size - 1) / BRICK)
             return UINT64_MAX;
         tile = tile * tiles + at[a] / side;
@@ -264,7 +230,8 @@ static const char *check_brick(const part_header *h, const part_brick *b, place 
         here->is_begun = true;
     }
     memcpy(here->last, b->at, sizeof here->last);
-    return is_at_border(h->whole.size, b->at) && has_strays(h->whole.size, b) ? "it has cells outside the grid" : NULL;
+    const uint32_t *const size = h->whole.cells.grid.size;
+    return is_at_border(size, b->at) && has_strays(size, b) ? "it has cells outside the grid" : NULL;
 }
 
 typedef struct reading {

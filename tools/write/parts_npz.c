@@ -1,7 +1,5 @@
 /* parts_npz.c - threads take a part each, check it, and write its bricks to their places. */
 #define _POSIX_C_SOURCE 200809L
-#include "parts_npz.h"
-
 #include <errno.h>
 #include <pthread.h>
 #include <stdlib.h>
@@ -9,7 +7,7 @@
 
 #include "console/crew.h"
 #include "console/message.h"
-#include "npz_members.h"
+#include "npz.h"
 #include "read/little.h"
 
 enum { AT_BYTES = 12, BITS_BYTES = 64, ID_BYTES = 4, BRICK_CELLS = 512, BLOCK = 4096, IDS_BLOCK = 1 << 18 };
@@ -43,6 +41,8 @@ typedef struct rows {
     unsigned char at[BLOCK][AT_BYTES], bits[BLOCK][BITS_BYTES], ids[IDS_BLOCK][ID_BYTES];
 } rows;
 
+static uint64_t bytes_of(int array, uint64_t count) { return count * (uint64_t)npz_arrays[array].row_bytes; }
+
 /* The lock is held. */
 static void write_at(joining *j, uint64_t at, const void *bytes, size_t size)
 {
@@ -58,11 +58,10 @@ static int write_waiting(rows *r)
     joining *const j = r->j;
     const void *const bytes[NPZ_ARRAYS] = {r->bits, r->at, r->ids};
     for (int a = 0; a < j->arrays; a++)
-        r->sums.crc[a] = zip_crc(r->sums.crc[a], bytes[a], r->waiting[a] * (size_t)npz_arrays[a].row_bytes);
+        r->sums.crc[a] = zip_crc(r->sums.crc[a], bytes[a], (size_t)bytes_of(a, r->waiting[a]));
     pthread_mutex_lock(&j->lock);
     for (int a = 0; a < j->arrays; a++)
-        write_at(j, j->start[a] + r->place[a] * (uint64_t)npz_arrays[a].row_bytes, bytes[a],
-                 r->waiting[a] * (size_t)npz_arrays[a].row_bytes);
+        write_at(j, j->start[a] + bytes_of(a, r->place[a]), bytes[a], (size_t)bytes_of(a, r->waiting[a]));
     j->done += r->waiting[NPZ_BITS];
     progress_tell(j->bar, (double)j->done / (double)j->rows[NPZ_BITS]);
     const int code = j->code;
@@ -136,8 +135,6 @@ static void work(void *data, unsigned thread)
     free(r);
 }
 
-static uint64_t bytes_of(int array, uint64_t count) { return count * (uint64_t)npz_arrays[array].row_bytes; }
-
 /* Leaves room for an array whose rows come later. */
 static void skip_rows(joining *j, zip_out *zip, int array)
 {
@@ -145,7 +142,7 @@ static void skip_rows(joining *j, zip_out *zip, int array)
     zip_begin_member(zip, npz_arrays[array].name);
     j->start[array] = zip->written;
     zip_skip(zip, bytes_of(array, j->rows[array]));
-    npz_rows(header, npz_arrays[array].type, j->rows[array], npz_arrays[array].columns);
+    npz_header(header, array, j->rows[array]);
     zip_end_member(zip, header);
 }
 
@@ -153,7 +150,7 @@ static void set_sums(const joining *j, zip_out *zip, int array)
 {
     uint32_t crc = 0;
     unsigned char header[NPY_HEADER];
-    npz_rows(header, npz_arrays[array].type, j->rows[array], npz_arrays[array].columns);
+    npz_header(header, array, j->rows[array]);
     for (size_t i = 0; i < j->count; i++) {
         uint64_t of_part[NPZ_ARRAYS] = {0};
         add_rows(&j->parts[i], of_part);
@@ -162,11 +159,11 @@ static void set_sums(const joining *j, zip_out *zip, int array)
     zip_set_crc(zip, (unsigned)array, header, crc, bytes_of(array, j->rows[array]));
 }
 
-static int join(joining *j, const voxels *v, unsigned threads)
+static int join(joining *j, unsigned threads)
 {
     zip_out zip;
     setvbuf(j->out->stream, NULL, _IONBF, 0);
-    zip_begin(&zip, j->out->stream, NULL);
+    zip_begin(&zip, j->out->stream, false);
     for (int a = 0; a < j->arrays; a++)
         skip_rows(j, &zip, a);
     crew_run(threads < j->count ? threads : (unsigned)j->count, work, j);
@@ -175,12 +172,12 @@ static int join(joining *j, const voxels *v, unsigned threads)
     for (int a = 0; a < j->arrays; a++)
         set_sums(j, &zip, a);
     zip_skip(&zip, 0);
-    npz_add_grid(&zip, v);
+    npz_add_about(&zip, &j->parts[0].header.whole.cells, NULL);
     zip_end(&zip);
     return ferror(j->out->stream) ? file_out_failure(j->out) : EXIT_CODE_OK;
 }
 
-int parts_npz_write(file_out *out, part *parts, size_t count, const voxels *v, unsigned threads, progress *bar)
+int parts_npz_write(file_out *out, part *parts, size_t count, unsigned threads, progress *bar)
 {
     joining j = {.out = out, .parts = parts, .count = count, .bar = bar, .sums = calloc(count, sizeof *j.sums)};
     if (!j.sums)
@@ -189,7 +186,7 @@ int parts_npz_write(file_out *out, part *parts, size_t count, const voxels *v, u
     for (size_t i = 0; i < count; i++)
         add_rows(&parts[i], j.rows);
     pthread_mutex_init(&j.lock, NULL);
-    const int code = join(&j, v, threads);
+    const int code = join(&j, threads);
     pthread_mutex_destroy(&j.lock);
     free(j.sums);
     return code;

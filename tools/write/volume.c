@@ -7,6 +7,8 @@
 #include "console/decimal.h"
 #include "console/message.h"
 
+const volume_frame volume_raw = {.has_words = true};
+
 #define FORMAT(name, end, about, next, ...) {.word = name, .ending = end, __VA_ARGS__},
 static const volume_format formats[] = {VOLUME_FORMATS(FORMAT)};
 

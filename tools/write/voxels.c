@@ -1,5 +1,11 @@
-/* voxels.c - finds layers among slabs, and counts cells. */
+/* voxels.c - finds layers among slabs, counts cells, and tells whether there is room for them. */
 #include "voxels.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "console/memory.h"
+#include "console/message.h"
 
 static const voxels_slab *slab_of(const voxels *v, uint32_t k)
 {
@@ -77,10 +83,41 @@ size_t voxels_layer_words(const tribox_grid *grid) { return voxels_row_words(gri
 
 bool voxels_are_shifted(const voxels *v) { return v->shift[0] != 0 || v->shift[1] != 0 || v->shift[2] != 0; }
 
+const char *voxels_difference(const voxels *one, const voxels *other)
+{
+    const tribox_grid *const a = &one->grid, *const b = &other->grid;
+    if (memcmp(a->origin, b->origin, sizeof a->origin) || memcmp(a->cell, b->cell, sizeof a->cell) ||
+        memcmp(a->size, b->size, sizeof a->size))
+        return "grid";
+    return memcmp(one->shift, other->shift, sizeof one->shift) ? "shift" : NULL;
+}
+
 bool voxels_are_served(const tribox_grid *grid, const tribox_options *options)
 {
     const tribox_soup nothing = {.count = 0};
     const tribox_window one = {{0, 0, 0}, {1, 1, 1}};
     uint64_t word = 0;
     return !tribox_voxelize(&nothing, grid, &one, options, &word, NULL);
+}
+
+int voxels_check_words(const tribox_grid *grid, const char *instead)
+{
+    static const double words_max = 0x1p31;
+    char bytes[16];
+    const double words = ceil(grid->size[0] / 64.0) * grid->size[1] * grid->size[2];
+    if (words <= words_max)
+        return EXIT_CODE_OK;
+    return message_failure("a grid of %u x %u x %u cells takes %s, a bit per cell; the most is 16.0 GiB: %s", grid->size[0],
+                           grid->size[1], grid->size[2], memory_text(words < 0x1p60 ? (uint64_t)(8 * words) : UINT64_MAX, bytes),
+                           instead);
+}
+
+int voxels_check_memory(const tribox_grid *grid, uint64_t bytes, const char *instead)
+{
+    char needed[16], there[16];
+    const uint64_t available = memory_available();
+    if (bytes <= available)
+        return EXIT_CODE_OK;
+    return message_failure("%u x %u x %u cells take %s of memory here and %s are available: %s", grid->size[0], grid->size[1],
+                           grid->size[2], memory_text(bytes, needed), memory_text(available, there), instead);
 }

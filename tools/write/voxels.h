@@ -50,7 +50,16 @@ size_t voxels_layer_words(const tribox_grid *grid);
 
 bool voxels_are_shifted(const voxels *v);
 
+/* In what two grids, and what was subtracted from their meshes, are not the same: "grid" or "shift"; NULL for nothing. */
+const char *voxels_difference(const voxels *one, const voxels *other);
+
 /* Whether the library voxelizes into a grid in this way. */
 bool voxels_are_served(const tribox_grid *grid, const tribox_options *options);
+
+/* Refuses a grid of more words than one call takes. instead: what to do. Returns an exit_code. */
+int voxels_check_words(const tribox_grid *grid, const char *instead);
+
+/* Refuses what does not fit into memory before any of it is taken. instead: as above. Returns an exit_code. */
+int voxels_check_memory(const tribox_grid *grid, uint64_t bytes, const char *instead);
 
 #endif

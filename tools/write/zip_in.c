@@ -1,6 +1,6 @@
 /* zip_in.c - reads what zip_out.c writes, and what NumPy makes of it. */
 #define _POSIX_C_SOURCE 200809L
-#include "zip_in.h"
+#include "zip.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,11 +1,11 @@
 /* zip_out.c - the format of .zip files: https://pkware.cachefly.net/webdocs/casestudies/APPNOTE.TXT */
 #define _POSIX_C_SOURCE 200809L
-#include "zip_out.h"
+#define ZLIB_CONST
+#include "zip.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
-
-#include "read/little.h"
 
 /* Sizes that do not fit stand in an extra field; before a member they always do, as they are not known yet. */
 enum {
@@ -14,89 +14,95 @@ enum {
     VERSION = 45, /* of the extra field */
     DAY = 0x21,   /* 1 January 1980, so that equal content gives equal files */
     EXTRA = 1,
-    BEFORE_MAX = 30 + ZIP_NAME_MAX + 20,
-    LISTED_MAX = 46 + ZIP_NAME_MAX + 28,
-    END = 56 + 20 + 22,
-    BLOCK = 5 /* the header of stored bytes in a deflated stream */
+    BLOCK = 5, /* the header of stored bytes in a deflated stream */
+    CHUNK = 1 << 16,
+    LEVEL = 4,
+    MEMORY_LEVEL = 9
 };
 static const uint32_t none = UINT32_MAX;
 
-/* Fields one after the other. */
-typedef struct fields {
-    unsigned char *at;
-} fields;
+struct deflater {
+    z_stream stream;
+    unsigned char out[CHUNK];
+};
 
-static void put16(fields *f, unsigned number)
+bool zip_begin(zip_out *zip, FILE *to, bool is_deflated)
 {
-    *f->at++ = (unsigned char)number;
-    *f->at++ = (unsigned char)(number >> 8);
+    struct deflater *const d = is_deflated ? calloc(1, sizeof *d) : NULL;
+    *zip = (zip_out){.to = to};
+    if (d && !deflateInit2(&d->stream, LEVEL, Z_DEFLATED, -MAX_WBITS, MEMORY_LEVEL, Z_DEFAULT_STRATEGY))
+        zip->deflater = d;
+    else
+        free(d);
+    return zip->deflater || !is_deflated;
 }
 
-static void put32(fields *f, uint32_t number)
+void zip_free(zip_out *zip)
 {
-    little_put32(f->at, number);
-    f->at += 4;
+    if (zip->deflater)
+        deflateEnd(&zip->deflater->stream);
+    free(zip->deflater);
+    zip->deflater = NULL;
 }
 
-static void put64(fields *f, uint64_t number)
+/* Writes what comes out of these bytes, and, to finish, what is left. */
+static void deflate_bytes(zip_out *zip, const void *bytes, size_t count, int flush)
 {
-    little_put64(f->at, number);
-    f->at += 8;
+    struct deflater *const d = zip->deflater;
+    d->stream.next_in = bytes;
+    d->stream.avail_in = (uInt)count;
+    do {
+        d->stream.next_out = d->out;
+        d->stream.avail_out = CHUNK;
+        deflate(&d->stream, flush);
+        const size_t filled = CHUNK - d->stream.avail_out;
+        fwrite(d->out, 1, filled, zip->to);
+        zip->written += filled;
+    } while (!d->stream.avail_out);
 }
 
-static void put_name(fields *f, const char *name)
+static void write_bytes(zip_out *zip, const void *bytes, size_t count) { zip->written += fwrite(bytes, 1, count, zip->to); }
+
+/* A number in so many bytes. */
+typedef struct field {
+    unsigned bytes;
+    uint64_t number;
+} field;
+
+/* One after the other, up to one of no bytes. */
+static void write_fields(zip_out *zip, const field *f)
 {
-    memcpy(f->at, name, strlen(name));
-    f->at += strlen(name);
+    unsigned char bytes[128];
+    size_t count = 0;
+    for (; f->bytes; f++)
+        for (unsigned b = 0; b < f->bytes; b++)
+            bytes[count++] = (unsigned char)(f->number >> 8 * b);
+    write_bytes(zip, bytes, count);
 }
 
 static bool is_long(uint64_t number) { return number >= none; }
 
 static uint32_t or_none(uint64_t number) { return is_long(number) ? none : (uint32_t)number; }
 
-static void write_fields(zip_out *zip, const unsigned char *bytes, const fields *end)
-{
-    zip->written += fwrite(bytes, 1, (size_t)(end->at - bytes), zip->to);
-}
-
 /* What both headers of a member have in common. */
-static void put_common(const zip_out *zip, fields *f, const zip_member *m)
-{
-    put16(f, VERSION);
-    put16(f, 0);
-    put16(f, zip->deflater ? DEFLATED : STORED);
-    put16(f, 0);
-    put16(f, DAY);
-    put32(f, m->crc);
-}
+#define COMMON(zip, m) \
+    {2, VERSION}, {2, 0}, {2, (zip)->deflater ? DEFLATED : STORED}, {2, 0}, {2, DAY}, { 4, (m)->crc }
 
 static void write_before(zip_out *zip, const zip_member *m)
 {
-    unsigned char bytes[BEFORE_MAX];
-    fields f = {bytes};
-    put32(&f, 0x04034b50);
-    put_common(zip, &f, m);
-    put32(&f, none);
-    put32(&f, none);
-    put16(&f, (unsigned)strlen(m->name));
-    put16(&f, 20);
-    put_name(&f, m->name);
-    put16(&f, EXTRA);
-    put16(&f, 16);
-    put64(&f, m->bytes);
-    put64(&f, m->stored);
-    write_fields(zip, bytes, &f);
+    const size_t name = strlen(m->name);
+    write_fields(zip, (const field[]){{4, 0x04034b50}, COMMON(zip, m), {4, none}, {4, none}, {2, name}, {2, 20}, {0, 0}});
+    write_bytes(zip, m->name, name);
+    write_fields(zip, (const field[]){{2, EXTRA}, {2, 16}, {8, m->bytes}, {8, m->stored}, {0, 0}});
 }
 
 static void write_header(zip_out *zip, const unsigned char header[NPY_HEADER])
 {
     static const unsigned char block[BLOCK] = {0, NPY_HEADER, 0, 0xff - NPY_HEADER, 0xff};
     if (zip->deflater)
-        zip->written += fwrite(block, 1, sizeof block, zip->to);
-    zip->written += fwrite(header, 1, NPY_HEADER, zip->to);
+        write_bytes(zip, block, sizeof block);
+    write_bytes(zip, header, NPY_HEADER);
 }
-
-void zip_begin(zip_out *zip, FILE *to, deflater *by) { *zip = (zip_out){.to = to, .deflater = by}; }
 
 void zip_begin_member(zip_out *zip, const char *name)
 {
@@ -107,7 +113,7 @@ void zip_begin_member(zip_out *zip, const char *name)
     write_before(zip, m);
     write_header(zip, unknown);
     if (zip->deflater)
-        deflater_restart(zip->deflater);
+        deflateReset(&zip->deflater->stream);
 }
 
 void zip_add(zip_out *zip, const void *bytes, size_t count)
@@ -115,7 +121,10 @@ void zip_add(zip_out *zip, const void *bytes, size_t count)
     zip_member *const m = &zip->members[zip->count - 1];
     m->crc = (uint32_t)crc32_z(m->crc, bytes, count);
     m->bytes += count;
-    zip->written += zip->deflater ? deflater_add(zip->deflater, bytes, count, zip->to) : fwrite(bytes, 1, count, zip->to);
+    if (zip->deflater)
+        deflate_bytes(zip, bytes, count, Z_NO_FLUSH);
+    else
+        write_bytes(zip, bytes, count);
 }
 
 void zip_skip(zip_out *zip, uint64_t bytes)
@@ -152,7 +161,7 @@ void zip_end_member(zip_out *zip, const unsigned char header[NPY_HEADER])
 {
     zip_member *const m = &zip->members[zip->count - 1];
     if (zip->deflater)
-        zip->written += deflater_end(zip->deflater, zip->to);
+        deflate_bytes(zip, NULL, 0, Z_FINISH);
     m->crc = zip_crc_of_both((uint32_t)crc32_z(0, header, NPY_HEADER), m->crc, m->bytes);
     m->bytes += NPY_HEADER;
     m->stored = zip->written - m->start - (30 + strlen(m->name) + 20);
@@ -168,65 +177,50 @@ void zip_set_crc(zip_out *zip, unsigned number, const unsigned char header[NPY_H
 
 static void list_member(zip_out *zip, const zip_member *m)
 {
-    unsigned char bytes[LISTED_MAX];
-    fields f = {bytes};
+    const size_t name = strlen(m->name);
     const bool is_extra = is_long(m->bytes) || is_long(m->stored) || is_long(m->start);
-    put32(&f, 0x02014b50);
-    put16(&f, VERSION);
-    put_common(zip, &f, m);
-    put32(&f, is_extra ? none : (uint32_t)m->stored);
-    put32(&f, is_extra ? none : (uint32_t)m->bytes);
-    put16(&f, (unsigned)strlen(m->name));
-    put16(&f, is_extra ? 28 : 0);
-    put16(&f, 0);
-    put32(&f, 0);
-    put32(&f, 0);
-    put32(&f, is_extra ? none : (uint32_t)m->start);
-    put_name(&f, m->name);
-    if (is_extra) {
-        put16(&f, EXTRA);
-        put16(&f, 24);
-        put64(&f, m->bytes);
-        put64(&f, m->stored);
-        put64(&f, m->start);
-    }
-    write_fields(zip, bytes, &f);
+    write_fields(zip, (const field[]){{4, 0x02014b50},
+                                      {2, VERSION},
+                                      COMMON(zip, m),
+                                      {4, is_extra ? none : m->stored},
+                                      {4, is_extra ? none : m->bytes},
+                                      {2, name},
+                                      {2, is_extra ? 28 : 0},
+                                      {2, 0},
+                                      {8, 0}, /* where it begins and what it is, of several disks and systems */
+                                      {4, is_extra ? none : m->start},
+                                      {0, 0}});
+    write_bytes(zip, m->name, name);
+    if (is_extra)
+        write_fields(zip, (const field[]){{2, EXTRA}, {2, 24}, {8, m->bytes}, {8, m->stored}, {8, m->start}, {0, 0}});
 }
 
-static void put_long_end(fields *f, const zip_out *zip, uint64_t list)
+/* Of a list beyond what 32 bits hold, and where that end begins. */
+static void write_long_end(zip_out *zip, uint64_t list, uint64_t bytes)
 {
-    put32(f, 0x06064b50);
-    put64(f, 44);
-    put16(f, VERSION);
-    put16(f, VERSION);
-    put32(f, 0);
-    put32(f, 0);
-    put64(f, zip->count);
-    put64(f, zip->count);
-    put64(f, zip->written - list);
-    put64(f, list);
-    put32(f, 0x07064b50);
-    put32(f, 0);
-    put64(f, zip->written);
-    put32(f, 1);
+    const uint64_t end = zip->written;
+    write_fields(zip, (const field[]){{4, 0x06064b50},
+                                      {8, 44},
+                                      {2, VERSION},
+                                      {2, VERSION},
+                                      {8, 0},
+                                      {8, zip->count},
+                                      {8, zip->count},
+                                      {8, bytes},
+                                      {8, list},
+                                      {0, 0}});
+    write_fields(zip, (const field[]){{4, 0x07064b50}, {4, 0}, {8, end}, {4, 1}, {0, 0}});
 }
 
 void zip_end(zip_out *zip)
 {
-    unsigned char bytes[END];
-    fields f = {bytes};
     const uint64_t list = zip->written;
     for (unsigned i = 0; i < zip->count; i++)
         list_member(zip, &zip->members[i]);
+    const uint64_t bytes = zip->written - list;
     if (is_long(list))
-        put_long_end(&f, zip, list);
-    put32(&f, 0x06054b50);
-    put16(&f, 0);
-    put16(&f, 0);
-    put16(&f, zip->count);
-    put16(&f, zip->count);
-    put32(&f, (uint32_t)(zip->written - list));
-    put32(&f, or_none(list));
-    put16(&f, 0);
-    write_fields(zip, bytes, &f);
+        write_long_end(zip, list, bytes);
+    write_fields(
+        zip,
+        (const field[]){{4, 0x06054b50}, {4, 0}, {2, zip->count}, {2, zip->count}, {4, bytes}, {4, or_none(list)}, {2, 0}, {0, 0}});
 }

@@ -1,16 +1,45 @@
-/* bricks_cells.c - the coordinates of cells as an array of NumPy's, three numbers a cell. */
+/* npy.c - NumPy's own format: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html */
 #define _POSIX_C_SOURCE 200809L
+#include "npy.h"
+
 #include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "brick_writer.h"
 #include "console/message.h"
 #include "lowest_bit.h"
-#include "npy_header.h"
 #include "read/little.h"
 
-enum { CELLS = 512, CELL_BYTES = 12 };
+/* Magic, version, length and text together are a multiple of 64, as the format demands. */
+enum { BEFORE_TEXT = 10, CELLS = 512, CELL_BYTES = 12 };
 
+void npy_header(unsigned char header[NPY_HEADER], const char *type, const char *shape)
+{
+    char *const text = (char *)header + BEFORE_TEXT;
+    memcpy(header, "\x93NUMPY\x01\x00", 8);
+    header[8] = NPY_HEADER - BEFORE_TEXT;
+    header[9] = 0;
+    memset(text, ' ', NPY_HEADER - BEFORE_TEXT);
+    const int length =
+        snprintf(text, NPY_HEADER - BEFORE_TEXT, "{'descr': '%s', 'fortran_order': False, 'shape': %s, }", type, shape);
+    text[length] = ' ';
+    header[NPY_HEADER - 1] = '\n';
+}
+
+/* A byte per cell: bool, or a label; or an id of int32. */
+static void write_dense_header(FILE *to, const voxels *v)
+{
+    unsigned char header[NPY_HEADER];
+    char shape[64];
+    snprintf(shape, sizeof shape, "(%u, %u, %u)", v->grid.size[2], v->grid.size[1], v->grid.size[0]);
+    npy_header(header, v->ids ? "<i4" : voxels_have_labels(v) ? "|u1" : "|b1", shape);
+    fwrite(header, 1, sizeof header, to);
+}
+
+const volume_frame volume_npy = {.before = write_dense_header};
+
+/* The coordinates of cells, three numbers each. */
 static void write_header(const brick_out *out)
 {
     unsigned char header[NPY_HEADER];

@@ -1,6 +1,6 @@
-/* npy_header.h - the first bytes of an array as NumPy stores it, version 1.0. */
-#ifndef NPY_HEADER_H
-#define NPY_HEADER_H
+/* npy.h - the first bytes of an array as NumPy stores it, version 1.0. */
+#ifndef NPY_H
+#define NPY_H
 
 enum { NPY_HEADER = 128 }; /* whatever the array */
 
