@@ -10,7 +10,6 @@
 
 #include "console/message.h"
 #include "files/named_file.h"
-#include "write/checksum.h"
 
 _Static_assert(sizeof(partition_header) == 176 && sizeof(partition_tile) == 32,
                "these are a file format: they have no padding and do not change");
@@ -59,6 +58,34 @@ bool partition_is_sound(const partition *p, size_t record)
     if (numbers)
         sum += checksum_bytes(CHECKSUM_EMPTY, numbers, count * sizeof *numbers);
     return sum == p->tiles[record].checksum;
+}
+
+void partition_copy(void *to, unsigned to_bytes, const void *from, unsigned from_bytes, size_t triangles)
+{
+    const size_t numbers = TRIANGLE_NUMBERS * triangles;
+    if (to_bytes == from_bytes) {
+        memcpy(to, from, numbers * to_bytes);
+        return;
+    }
+    for (size_t k = 0; k < numbers; k++) {
+        float narrow;
+        memcpy(&narrow, (const unsigned char *)from + k * sizeof narrow, sizeof narrow);
+        const double wide = (double)narrow;
+        memcpy((unsigned char *)to + k * sizeof wide, &wide, sizeof wide);
+    }
+}
+
+size_t partition_find(const partition_tile *tiles, size_t count, uint64_t tile)
+{
+    size_t lo = 0, hi = count;
+    while (lo < hi) {
+        const size_t middle = lo + (hi - lo) / 2;
+        if (tiles[middle].tile < tile)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo;
 }
 
 static int refuse(const partition *p, const char *why)

@@ -97,7 +97,13 @@ bool partition_is_sound(const partition *p, size_t record);
  */
 bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers);
 
-/* The path of a partition, or of one of several, with triangles that are not those that were written. */
-const char *partition_damaged(const partition *p);
+/* Says which partition, or which of several, has triangles that are not those that were written. Returns EXIT_CODE_FAILURE. */
+int partition_refuse_triangles(const partition *p);
+
+/* Copies triangles, of floats or doubles, as such; floats may become doubles. */
+void partition_copy(void *to, unsigned to_bytes, const void *from, unsigned from_bytes, size_t triangles);
+
+/* The first of so many rising records whose tile is not before this one. */
+size_t partition_find(const partition_tile *tiles, size_t count, uint64_t tile);
 
 #endif

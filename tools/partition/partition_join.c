@@ -7,21 +7,15 @@
 #include "partition.h"
 #include "voxelize/tile_work.h"
 
-enum { NUMBERS = 9 };
-
 static int check_pair(const partition *a, const partition *b)
 {
     const partition_header *const one = &a->header, *const other = &b->header;
     if (one->number_bytes != other->number_bytes)
         return message_failure("%s has the numbers of its triangles and %s has none; make both with --ids, or neither",
                                one->number_bytes ? a->path : b->path, one->number_bytes ? b->path : a->path);
-    const bool has_other_grid = memcmp(one->origin, other->origin, sizeof one->origin) ||
-                                memcmp(one->cell, other->cell, sizeof one->cell) ||
-                                memcmp(one->size, other->size, sizeof one->size);
-    const char *const differing = has_other_grid                                        ? "grid"
-                                  : memcmp(one->shift, other->shift, sizeof one->shift) ? "shift"
-                                  : one->tile != other->tile                            ? "size of tiles"
-                                                                                        : NULL;
+    const voxels cells = partition_voxels(one), others = partition_voxels(other);
+    const char *const place = voxels_difference(&cells, &others);
+    const char *const differing = place ? place : one->tile != other->tile ? "size of tiles" : NULL;
     return !differing ? EXIT_CODE_OK
                       : message_failure("%s and %s do not fit together: they differ in the %s; make them with the same --origin, "
                                         "--cell, --size and --shift",
@@ -57,20 +51,6 @@ partition_header partition_header_of_all(const partition *pieces, size_t count)
         all.position_bytes = one->position_bytes > all.position_bytes ? one->position_bytes : all.position_bytes;
     }
     return all;
-}
-
-/* The record of a tile; the number of records where there is none. */
-static size_t find_record(const partition *p, uint64_t tile)
-{
-    size_t lo = 0, hi = (size_t)p->header.records;
-    while (lo < hi) {
-        const size_t middle = lo + (hi - lo) / 2;
-        if (p->tiles[middle].tile < tile)
-            lo = middle + 1;
-        else
-            hi = middle;
-    }
-    return lo < p->header.records && p->tiles[lo].tile == tile ? lo : (size_t)p->header.records;
 }
 
 static int by_tile(const void *a, const void *b)
@@ -145,54 +125,41 @@ int partition_open_all(partition *p, const char *const *paths, size_t count)
     return code;
 }
 
-/* They count on from piece to piece. */
-static uint32_t *put_numbers(const partition *piece, size_t record, uint64_t before, uint32_t *to)
-{
-    const uint32_t *const from = partition_numbers(piece, record);
-    for (size_t t = 0; t < partition_count(piece, record); t++)
-        *to++ = (uint32_t)(before + from[t]);
-    return to;
-}
-
-static unsigned char *put(const partition *piece, size_t record, unsigned position_bytes, unsigned char *to)
-{
-    const size_t numbers = NUMBERS * partition_count(piece, record);
-    const unsigned char *const from = partition_triangles(piece, record);
-    if (piece->header.position_bytes == position_bytes) {
-        memcpy(to, from, numbers * position_bytes);
-        return to + numbers * position_bytes;
-    }
-    for (size_t k = 0; k < numbers; k++) {
-        float narrow;
-        memcpy(&narrow, from + k * sizeof narrow, sizeof narrow);
-        const double wide = (double)narrow;
-        memcpy(to + k * sizeof wide, &wide, sizeof wide);
-    }
-    return to + numbers * sizeof(double);
-}
-
 bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers)
 {
+    const unsigned bytes = p->header.position_bytes;
     unsigned char *at = to;
     uint64_t before = 0;
     for (size_t i = 0; i < p->piece_count; before += p->pieces[i++].header.triangles) {
         const partition *const piece = &p->pieces[i];
-        const size_t r = find_record(piece, p->tiles[record].tile);
-        if (r == piece->header.records)
+        const size_t records = (size_t)piece->header.records, r = partition_find(piece->tiles, records, p->tiles[record].tile);
+        if (r == records || piece->tiles[r].tile != p->tiles[record].tile)
             continue;
         if (!partition_is_sound(piece, r))
             return false;
-        at = put(piece, r, p->header.position_bytes, at);
-        numbers = numbers ? put_numbers(piece, r, before, numbers) : NULL;
+        const size_t count = partition_count(piece, r);
+        const uint32_t *const own = partition_numbers(piece, r);
+        partition_copy(at, bytes, partition_triangles(piece, r), piece->header.position_bytes, count);
+        at += count * 9 * bytes;
+        for (size_t t = 0; numbers && t < count; t++)
+            *numbers++ = (uint32_t)(before + own[t]); /* they count on from piece to piece */
     }
     return true;
 }
 
-const char *partition_damaged(const partition *p)
+static bool is_all_sound(const partition *p)
 {
-    for (size_t i = 0; i < p->piece_count; i++)
-        for (size_t r = 0; r < p->pieces[i].header.records; r++)
-            if (!partition_is_sound(&p->pieces[i], r))
-                return p->pieces[i].path;
-    return p->path;
+    size_t r = 0;
+    while (r < p->header.records && partition_is_sound(p, r))
+        r++;
+    return r == p->header.records;
+}
+
+int partition_refuse_triangles(const partition *p)
+{
+    size_t i = 0;
+    while (i < p->piece_count && is_all_sound(&p->pieces[i]))
+        i++;
+    return message_failure("%s: damaged: the checksum of its triangles does not match; make the partition again",
+                           i < p->piece_count ? p->pieces[i].path : p->path);
 }

@@ -1,17 +1,28 @@
-/* partition_work.c - lays a grid around meshes, sorts them into its tiles and writes these; or joins partitions of one grid. */
+/* partition_work.c - lays a grid around meshes, sorts them into its tiles and writes these; or joins partitions; and says so. */
 #define _POSIX_C_SOURCE 200809L
 #include "partition_work.h"
 
+#include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console/clock.h"
 #include "console/memory.h"
 #include "console/message.h"
-#include "partition_report.h"
-#include "partition_write.h"
-#include "mesh_tally.h"
+#include "console/output.h"
+#include "tile_runs.h"
 #include "voxelize/tile_set.h"
+#include "voxelize/voxelize_report.h"
+
+typedef struct partition_answer {
+    const partition_request *r;
+    voxels cells;
+    bool is_shifted;
+    partition_header header;
+    uint64_t spilled; /* bytes that went through files beside it */
+    double seconds;
+} partition_answer;
 
 /* How many meshes there are does not matter to a message about all of them. */
 static const char *name_of(const partition_request *r) { return r->count == 1 ? triangle_file_name(r->paths[0]) : "the meshes"; }
@@ -36,11 +47,10 @@ static void fill_header(partition_answer *a, uint32_t tile, unsigned position_by
     memcpy(h->size, a->cells.grid.size, sizeof h->size);
 }
 
-static int write_runs(partition_answer *a, tile_runs *runs, folder_out *out)
+static int write_runs(partition_answer *a, const tile_runs *runs, folder_out *out)
 {
-    const int code = partition_write(out, runs, a->r->threads, a->r->is_quiet, &a->header);
     a->spilled = runs->spilled;
-    return code;
+    return tile_write(out, runs, a->r->threads, a->r->is_quiet, &a->header);
 }
 
 static int refuse_none(const partition_request *r)
@@ -51,7 +61,7 @@ static int refuse_none(const partition_request *r)
 static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, folder_out *out)
 {
     tally found;
-    int code = tile_runs_sort(runs, all, a->r->threads, a->r->is_quiet, out, &found);
+    int code = tile_sort(runs, all, a->r->threads, a->r->is_quiet, out, &found);
     if (code)
         return code;
     mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
@@ -79,17 +89,17 @@ static int sort_pieces(partition_answer *a, const pieces *all, folder_out *out)
 static int survey(partition_answer *a, pieces *all)
 {
     const grid_choice *const choice = &a->r->from.choice;
-    tally found = tally_of_none();
+    tally found = {.triangles = 0};
     int code = EXIT_CODE_OK;
     if (all->shift.is_auto) {
         const double nothing[3] = {0, 0, 0};
         memcpy(all->shift.by, nothing, sizeof nothing);
-        code = tally_read(all, a->r->threads, a->r->is_quiet, &found);
+        code = tile_sort_look(all, a->r->threads, a->r->is_quiet, &found);
         if (!code)
             mesh_shift_choose(&found.bounds, all->shift.by);
     }
     if (!code && (all->shift.is_wanted || !grid_is_fixed(choice)))
-        code = tally_read(all, a->r->threads, a->r->is_quiet, &found);
+        code = tile_sort_look(all, a->r->threads, a->r->is_quiet, &found);
     if (code)
         return code;
     if (all->shift.is_wanted && found.fits_float)
@@ -180,11 +190,65 @@ static int work_on_partitions(partition_answer *a)
     return code;
 }
 
+static const char *positions(const partition_header *h) { return h->position_bytes == sizeof(double) ? "float64" : "float32"; }
+
+static void print_summary(const partition_answer *a)
+{
+    const partition_header *const h = &a->header;
+    printf("mesh         %s", a->r->paths[0]);
+    if (a->r->count > 1)
+        printf(" and %zu more", a->r->count - 1);
+    printf("\ntriangles    %" PRIu64 "\npositions    %s\n", h->triangles, positions(h));
+    voxelize_print_grid(&a->cells, a->is_shifted);
+    printf("tiles        %" PRIu64 " of %u cells along a side, of %zu in the grid\n", h->records, h->tile,
+           tribox_tile_count(h->size, h->tile));
+    printf("sorted       %" PRIu64 " triangles, %.3f for each of the mesh\n", h->places, (double)h->places / (double)h->triangles);
+    if (h->number_bytes)
+        puts("ids          the number of each triangle");
+    printf("time         %.3f s with %" PRIu32 " thread%s, %.1f ns a triangle\nwritten      %s\n", a->seconds, a->r->threads,
+           a->r->threads == 1 ? "" : "s", 1e9 * a->seconds / (double)h->triangles, a->r->out_path);
+}
+
+static void print_json(const partition_answer *a)
+{
+    const partition_header *const h = &a->header;
+    json j = json_to(stdout);
+    json_open_object(&j, NULL);
+    json_string(&j, "mesh", a->r->paths[0]);
+    json_whole(&j, "inputs", a->r->count);
+    json_whole(&j, "triangles", h->triangles);
+    json_string(&j, "positions", positions(h));
+    json_whole(&j, "not_finite", h->not_finite);
+    voxelize_json_grid(&j, &a->cells, a->is_shifted);
+    json_whole(&j, "tile", h->tile);
+    json_whole(&j, "tiles", tribox_tile_count(h->size, h->tile));
+    json_whole(&j, "filled_tiles", h->records);
+    json_whole(&j, "sorted", h->places);
+    if (h->number_bytes)
+        json_bool(&j, "ids", true);
+    json_whole(&j, "spilled_bytes", a->spilled);
+    json_whole(&j, "threads", a->r->threads);
+    json_number(&j, "seconds", 6, a->seconds);
+    json_string(&j, "output", a->r->out_path);
+    json_close(&j);
+}
+
+static int report(const partition_answer *a)
+{
+    if (a->r->is_quiet)
+        return EXIT_CODE_OK;
+    if (a->r->wants_json)
+        print_json(a);
+    else
+        print_summary(a);
+    return output_flush();
+}
+
 int partition_work(const partition_request *r)
 {
     partition_answer a = {.r = r};
     const double start = clock_seconds();
     const int code = partition_is_folder(r->paths[0]) ? work_on_partitions(&a) : work_on_meshes(&a);
     a.seconds = clock_seconds() - start;
-    return code ? code : partition_report(&a);
+    return code ? code : report(&a);
 }

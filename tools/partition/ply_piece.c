@@ -1,7 +1,7 @@
 /*
  * ply_piece.c - maps a PLY file, finds every so many faces where they begin, and cuts polygons as the reader of whole files does.
  */
-#include "ply_piece.h"
+#include "piece.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,17 +1,46 @@
-/* tile_run.c - puts runs into files and reads them back. */
+/* tile_run.c - room for runs, and files for those that memory does not hold. */
 #define _POSIX_C_SOURCE 200809L
-#include "tile_run.h"
-
 #include <errno.h>
+#include <stdlib.h>
+
+#include "console/message.h"
+#include "console/processors.h"
+#include "files/named_file.h"
+#include "tile_runs.h"
 
 enum { NUMBERS = 9 };
+
+int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, bool has_numbers, size_t count, uint64_t memory)
+{
+    const size_t tiles = tribox_tile_count(grid->size, tile);
+    *r = (tile_runs){.grid = grid, .tile = tile, .tiles = tiles, .has_numbers = has_numbers, .memory = memory};
+    r->runs = calloc(count ? count : 1, sizeof *r->runs);
+    r->counts = calloc(r->tiles, sizeof *r->counts);
+    r->work = calloc(r->tiles, sizeof *r->work);
+    r->files = calloc(THREADS_MAX, sizeof *r->files);
+    if (!r->runs || !r->counts || !r->work || !r->files)
+        return message_failure("out of memory for the table of tiles");
+    r->count = count;
+    return EXIT_CODE_OK;
+}
+
+void tile_runs_free(tile_runs *r)
+{
+    for (size_t i = 0; i < r->count; i++)
+        free(r->runs[i].room);
+    for (int f = 0; r->files && f < THREADS_MAX; f++)
+        run_file_close(&r->files[f]);
+    free(r->files);
+    free(r->runs);
+    free(r->counts);
+    free(r->work);
+    *r = (tile_runs){.count = 0};
+}
 
 uint64_t tile_run_count(const tile_run *run, size_t i)
 {
     return (i + 1 < run->count ? run->tiles[i + 1].first : run->places) - run->tiles[i].first;
 }
-
-bool run_file_is_open(const run_file *file) { return file->numbers; }
 
 static FILE *open_stream(const folder_out *out)
 {
@@ -21,35 +50,26 @@ static FILE *open_stream(const folder_out *out)
     return stream;
 }
 
-static bool open_file(run_file *file, const folder_out *out)
-{
-    file->tiles = open_stream(out);
-    file->triangles = file->tiles ? open_stream(out) : NULL;
-    file->numbers = file->triangles ? open_stream(out) : NULL;
-    if (!file->numbers)
-        return false;
-    pthread_mutex_init(&file->reading, NULL);
-    return true;
-}
-
 bool run_file_put(run_file *file, const folder_out *out, tile_run *run)
 {
-    const size_t bytes = NUMBERS * run->position_bytes;
-    if (!run_file_is_open(file) && !open_file(file, out))
+    const size_t places = (size_t)run->places, tiles = run->count * sizeof *run->tiles;
+    const size_t triangles = places * NUMBERS * run->position_bytes, numbers = run->numbers ? places * sizeof *run->numbers : 0;
+    if (!file->tiles)
+        file->tiles = open_stream(out);
+    if (file->tiles && !file->rest)
+        file->rest = open_stream(out);
+    if (!file->rest)
         return false;
     run->file = file;
     run->tiles_at = file->tiles_written;
-    run->triangles_at = file->triangles_written;
-    run->numbers_at = file->numbers_written;
-    file->tiles_written += run->count * sizeof *run->tiles;
-    file->triangles_written += run->places * bytes;
-    file->numbers_written += run->numbers ? run->places * sizeof *run->numbers : 0;
-    return fwrite(run->tiles, sizeof *run->tiles, run->count, file->tiles) == run->count &&
-           fwrite(run->triangles, bytes, (size_t)run->places, file->triangles) == run->places &&
-           (!run->numbers || fwrite(run->numbers, sizeof *run->numbers, (size_t)run->places, file->numbers) == run->places);
+    run->triangles_at = file->rest_written;
+    file->tiles_written += tiles;
+    file->rest_written += triangles + numbers;
+    return fwrite(run->tiles, 1, tiles, file->tiles) == tiles && fwrite(run->triangles, 1, triangles, file->rest) == triangles &&
+           (!numbers || fwrite(run->numbers, 1, numbers, file->rest) == numbers);
 }
 
-bool run_file_map(run_file *file) { return file_map_of_stream(&file->map, file->tiles); }
+bool run_file_map(run_file *file) { return !file->rest || file_map_of_stream(&file->map, file->tiles); }
 
 void run_file_find(tile_run *run)
 {
@@ -60,33 +80,24 @@ void run_file_find(tile_run *run)
 
 static bool read_at(FILE *stream, uint64_t at, size_t size, void *to)
 {
-    return !fseeko(stream, (off_t)at, SEEK_SET) && fread(to, 1, size, stream) == size;
+    size_t got;
+    errno = 0;
+    return named_file_read_at(stream, at, to, size, &got) && got == size;
 }
 
 bool run_file_read(const tile_run *run, uint64_t first, size_t count, void *to, uint32_t *numbers)
 {
     const size_t bytes = NUMBERS * run->position_bytes;
-    run_file *const file = run->file;
-    pthread_mutex_lock(&file->reading);
-    errno = 0;
-    const bool is_read =
-        read_at(file->triangles, run->triangles_at + first * bytes, count * bytes, to) &&
-        (!numbers || read_at(file->numbers, run->numbers_at + first * sizeof *numbers, count * sizeof *numbers, numbers));
-    const int reason = errno;
-    pthread_mutex_unlock(&file->reading);
-    errno = reason;
-    return is_read;
+    const uint64_t numbers_at = run->triangles_at + run->places * bytes + first * sizeof *numbers;
+    return read_at(run->file->rest, run->triangles_at + first * bytes, count * bytes, to) &&
+           (!numbers || read_at(run->file->rest, numbers_at, count * sizeof *numbers, numbers));
 }
 
 void run_file_close(run_file *file)
 {
     file_map_close(&file->map);
-    if (run_file_is_open(file))
-        pthread_mutex_destroy(&file->reading);
-    if (file->numbers)
-        fclose(file->numbers);
-    if (file->triangles)
-        fclose(file->triangles);
+    if (file->rest)
+        fclose(file->rest);
     if (file->tiles)
         fclose(file->tiles);
 }

@@ -111,8 +111,7 @@ static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
     if (goals->code)
         return goals->code;
     if (status == TRIBOX_BAD_VERTEX && j->in->partition)
-        return message_failure("%s: damaged: the checksum of its triangles does not match; make the partition again",
-                               partition_damaged(j->in->partition));
+        return partition_refuse_triangles(j->in->partition);
     return message_status(status);
 }
 
