@@ -276,7 +276,7 @@ static int put_cells(const whole *w, const voxels *v, voxelize_files *files, vox
     else
         code = bricks_cut(v, tile, count_brick, &bricks, &bar);
     progress_end(&bar);
-    a->has_bricks = r->is_count || (r->result.format->bricks && !r->result.format->bricks->whole);
+    a->has_bricks = r->is_count || (r->result.format->bricks && !r->result.format->bricks->shell);
     a->bricks = bricks;
     return code;
 }

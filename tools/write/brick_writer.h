@@ -9,18 +9,25 @@ typedef struct brick_writer {
     bool goes_back;              /* it writes to places before the end, which standard output may not allow */
     int (*open)(brick_out *out); /* frees what it took if it fails */
     int (*put)(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
-    void (*whole)(brick_out *out,
-                  const voxels *v); /* in place of all puts, of cells that stay there; NULL: they are cut to bricks */
     int (*end)(brick_out *out, progress *bar);
-    void (*drop)(brick_out *out); /* frees the state */
+    void (*drop)(brick_out *out);     /* frees the state */
+    const struct shell_format *shell; /* of a format of meshes; NULL for others */
 } brick_writer;
+
+/* What formats share that need the words of all cells at once. */
+int gather_open(brick_out *out);
+int gather_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
+void gather_drop(brick_out *out);
+
+/* Writes the cells, one slab, which may stay where they are, as a mesh. */
+int shell_end(brick_out *out, progress *bar);
 
 /* Arrays of NumPy's: at[n, 3], bits[n, 8], origin, cell, size and shift. The check refuses where zlib is not there. */
 extern const brick_writer bricks_npz;
 int bricks_check_npz(const char *path, const tribox_grid *grid);
 
 /* An id for each cell of any format with a frame. */
-extern const brick_writer dense_ids;
+extern const brick_writer gather_ids;
 
 /* An array of NumPy's: the coordinates of cells, [n, 3]. */
 extern const brick_writer bricks_cells;
