@@ -23,23 +23,6 @@ def found(text):
         re.search(r"(\d+) of them occupied", text)[1]
 
 
-class Info(support.TestCase):
-    def test_json(self):
-        info = json.loads(self.succeed("info", "--json"))
-        self.assertEqual(sorted(info), ["default_kernel", "kernels", "positions", "processor", "version"])
-        self.assertEqual(info["kernels"][0], info["default_kernel"])
-        self.assertEqual(info["kernels"][-1], "scalar")
-        self.assertTrue(info["processor"])
-
-    def test_text(self):
-        info = json.loads(self.succeed("info", "--json"))
-        fields = dict(re.split(r"  +", line, maxsplit=1) for line in self.succeed("info").splitlines())
-        self.assertEqual(fields, {"version": info["version"], "processor": info["processor"],
-                                  "kernels": " ".join(info["kernels"]), "default kernel": info["default_kernel"],
-                                  "positions": ", ".join(info["positions"])})
-        self.assertEqual(info["positions"], ["float32", "float64"])
-
-
 class Demo(support.TestCase):
     def expected_rows(self):
         kernels = json.loads(self.succeed("info", "--json"))["kernels"]
