@@ -1,7 +1,7 @@
 // arguments.test.mjs - every bad argument is refused by a line that says which it is, what is wrong and what to do; nothing changes.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { load, middleBox as box, randomPositions } from './package_under_test.mjs';
+import { load, middleBox as box, randomPositions, TriboxError } from './package_under_test.mjs';
 
 const tribox = await load();
 const positions = randomPositions(100), soup = tribox.soup({ positions }), index = soup.index();
@@ -125,6 +125,20 @@ const wrong = {
             /^all triangles lie in the point \[3, 3, 3\], which has no longest side: give \{origin, cell, size\}/],
         [() => tribox.soup({ positions: new Float32Array(9).fill(NaN) }).voxelize({ resolution: 2 }), RangeError,
             /no triangle with finite coordinates/],
+    ],
+    'what is in which cell': [
+        [() => tribox.tileCount([1, 2], 8), TypeError, /^size = \[1, 2\]: give three numbers/],
+        [() => tribox.tileCount([1, 2, -1], 8), RangeError, /^size\[2\] = -1: give/],
+        [() => tribox.tileCount('abc', 8), TypeError, /^size = "abc": give/],
+        [() => tribox.tileCount([1, 2, 3], 0), RangeError, /^side = 0: give/],
+        [() => tribox.tileCount([1, 2, 3], '8'), TypeError, /^side = "8": give/],
+        [() => soup.voxelize(grid, { into: voxels, ids: true }), TypeError, /^options\.ids and options\.into/],
+        [() => soup.voxelize(grid, { thin: true, ids: true }), TypeError, /^options\.ids and options\.thin/],
+        [() => soup.voxelize(grid, { thin: true, accuracy: 'fast' }), TriboxError, /^tribox_voxelize_thin: an option/],
+        [() => soup.cellLists(grid, { window: { first: [2, 0, 0], size: [3, 1, 1] } }), RangeError, /^window/],
+        [() => soup.cellLists(grid, { ids: true }), TypeError, /^options\.ids is unknown/],
+        [() => index.lists(box), TypeError, /^boxes = /],
+        [() => index.lists([{ lo: [0, 0, 0] }]), TypeError, /^box = /],
     ],
     'tiles and fills': [
         [() => soup.tileLists(grid), TypeError, /^tiles = undefined: give \{side\}/],

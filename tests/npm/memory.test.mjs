@@ -213,7 +213,8 @@ test('nothing at all is a soup, a mesh, a mask', async () => {
     assert.deepEqual(mesh.bricks(grid, { side: 8 }, assert.fail).overlapping, 0);
     assert.equal(mesh.voxelize(grid, { window: { first: [8, 0, 0], size: [0, 4, 4] } }).fillOutside().inside, 0);
     assert.equal(index.list(middleBox).length, 0);
-    assert.equal(soup.voxelize(grid).count(), 0);
+    assert.deepEqual([...index.lists([]).starts, ...soup.cellLists(grid, { window: { first: [8, 8, 8], size: [0, 0, 0] } }).starts], [0, 0]);
+    assert.deepEqual([soup.voxelize(grid).count(), soup.voxelize(grid).ids], [0, null]);
     assert.equal(tribox.mask(0).list().length, 0);
 });
 
@@ -261,7 +262,8 @@ test('what is freed says so', async () => {
     soup.free();
     for (const call of [() => soup.x, () => soup.ids, () => soup.address, () => soup.overlap(middleBox), () => soup.count(oriented),
         () => soup.classify(middleBox), () => soup.find(middleBox), () => soup.voxelize(grid), () => soup.voxelize({ resolution: 2 }),
-        () => soup.index(), () => soup.bounds(), () => soup.fillParity(voxels), () => soup.tileLists(grid, { side: 4 }),
+        () => soup.index(), () => soup.bounds(), () => soup.cellLists(grid), () => index.lists([middleBox]), () => soup.fillParity(voxels),
+        () => soup.tileLists(grid, { side: 4 }),
         () => soup.bricks(grid, { side: 8 }, assert.fail), () => index.overlap(middleBox), () => index.list(middleBox), () => index.update()])
         assert.throws(call, { name: 'TriboxError', message: 'this soup was freed' }, String(call));
     index.free();

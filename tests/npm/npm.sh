@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the npm package and tests it with node: npm.sh FOLDER ANSWERS
 #   FOLDER   where the package is built, and what its tests need is installed
-#   ANSWERS  the program of answers.c
+#   ANSWERS  the program of common/answers.c
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$1 TRIBOX_ANSWERS=$2

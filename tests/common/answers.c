@@ -1,6 +1,7 @@
 /*
- * answers.c - what the library answers here, for the npm package to be compared with: a line of JSON a batch of triangles, on
- * standard output. Numbers are 32-bit words, those of doubles and masks the lower one first.
+ * answers.c - what the library answers here, for its packages in other languages to be compared with: a line of JSON for each batch
+ * of triangles, of floats and again of doubles, on standard output. Numbers are 32-bit words, those of doubles and masks the lower
+ * one first.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -10,20 +11,22 @@
 
 #include "common/arguments.h"
 #include "common/scenes.h"
-#include "tribox.h"
+#include "common/soup_or_mesh.h"
 
 enum { BATCHES = 2, MANY = 30, COUNT_MAX = MANY * SCENE_TRIANGLES, WORDS_MAX = (COUNT_MAX + 63) / 64 };
 enum { GRID_X = 70, GRID_Y = 9, GRID_Z = 5, GRID_WORDS = (GRID_X + 63) / 64 * GRID_Y * GRID_Z };
-enum { TILE = 8, TILES = 9 * 2 * 1, LIST_MAX = TILES * COUNT_MAX };
+enum { TILE = 8, TILES = 9 * 2 * 1, WINDOW_CELLS = 60 * 7 * 2, LIST_MAX = WINDOW_CELLS * COUNT_MAX };
 
-/* A batch in every form that the package takes. */
+static const tribox_window window = {.first = {5, 1, 2}, .size = {60, 7, 2}};
+
+/* A batch, as floats or as doubles, which are moved in their last bits. */
 typedef struct question {
     tribox_box box;
     tribox_oriented_box oriented;
     tribox_grid grid;
-    tribox_soup soup;
-    tribox_mesh mesh; /* the same triangles, moved in the last bits of doubles */
-    float streams[9][COUNT_MAX];
+    soup_or_mesh of;
+    size_t count;
+    float streams[9][COUNT_MAX], corners[COUNT_MAX][3][3];
     double positions[COUNT_MAX][3][3];
 } question;
 
@@ -73,13 +76,13 @@ static tribox_grid grid_at(const tribox_box *box)
     return grid;
 }
 
-/* Triangle i of the question. The last bits of its doubles are drawn. */
+/* The last bits of its doubles are drawn. */
 static void add_triangle(question *q, random_source *r, float u[3][3])
 {
-    const size_t i = q->soup.count++;
+    const size_t i = q->count++;
     for (int v = 0; v < 3; v++)
         for (int a = 0; a < 3; a++) {
-            q->streams[3 * a + v][i] = u[v][a];
+            q->streams[3 * a + v][i] = q->corners[i][v][a] = u[v][a];
             q->positions[i][v][a] = (double)u[v][a] * (1 + 0x1p-50 * random_int_between(r, -1, 1));
         }
 }
@@ -95,7 +98,7 @@ static void put_not_finite(random_source *r, scene_batch *batch)
 static void draw(const scene *s, random_source *r, int batches, bool is_finite, question *q)
 {
     scene_batch batch;
-    q->soup.count = 0;
+    q->count = 0;
     for (int k = 0; k < batches; k++) {
         scene_draw_batch(s, r, &batch);
         if (!is_finite)
@@ -104,31 +107,26 @@ static void draw(const scene *s, random_source *r, int batches, bool is_finite, 
         for (int i = 0; i < SCENE_TRIANGLES; i++)
             add_triangle(q, r, batch.u[i]);
     }
-    for (int v = 0; v < 3; v++) {
-        q->soup.x[v] = q->streams[v];
-        q->soup.y[v] = q->streams[3 + v];
-        q->soup.z[v] = q->streams[6 + v];
-    }
-    q->mesh = (tribox_mesh){.positions = q->positions, .vertices = 3 * q->soup.count, .count = q->soup.count, .position_bytes = 8};
+    q->of.soup = soup_of_rows(*q->streams, COUNT_MAX, q->count);
+    q->of.mesh = mesh_of_corners(q->positions, q->count, sizeof(double));
     q->oriented = oriented_box(&q->box);
     q->grid = grid_at(&q->box);
 }
 
-static void write_question(const question *q)
+static void write_question(const scene *s, const question *q)
 {
+    const bool is_mesh = q->of.is_mesh;
+    const void *positions = is_mesh ? (const void *)q->positions : (const void *)q->corners;
+    printf("{\"scene\": \"%s\", \"isDouble\": %s", s->name, is_mesh ? "true" : "false");
+    write_words("positions", positions, q->count * (is_mesh ? sizeof *q->positions : sizeof *q->corners));
     write_words("box", &q->box, sizeof q->box);
-    for (int k = 0; k < 9; k++) {
-        const char name[] = {'s', (char)('0' + k), 0};
-        write_words(name, q->streams[k], q->soup.count * sizeof(float));
-    }
-    write_words("positions", q->positions, q->soup.count * sizeof *q->positions);
     write_words("oriented", &q->oriented, sizeof q->oriented);
     write_words("grid", &q->grid, sizeof q->grid);
 }
 
 static void write_mask(const char *name, const uint64_t *mask, const question *q)
 {
-    write_words(name, mask, tribox_mask_words(q->soup.count) * sizeof *mask);
+    write_words(name, mask, tribox_mask_words(q->count) * sizeof *mask);
 }
 
 static void answer_boxes(const question *q)
@@ -137,40 +135,34 @@ static void answer_boxes(const question *q)
     char name[] = "axes0";
     size_t first;
     for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
-        need(tribox_overlap(&q->soup, &q->box, &(tribox_options){.axes = axes}, mask, NULL));
+        need(CALL(overlap, &q->of, &q->box, &(tribox_options){.axes = axes}, mask, NULL));
         name[4] = (char)('0' + axes);
         write_mask(name, mask, q);
     }
-    need(tribox_classify(&q->soup, &q->box, NULL, mask, inside, NULL));
+    need(CALL(classify, &q->of, &q->box, NULL, mask, inside, NULL));
     write_mask("inside", inside, q);
-    need(tribox_find(&q->soup, &q->box, NULL, TRIBOX_FIRST_HIT, &first));
+    need(CALL(find, &q->of, &q->box, NULL, TRIBOX_FIRST_HIT, &first));
     write_number("first", first);
-    need(tribox_find(&q->soup, &q->box, NULL, TRIBOX_FIRST_MISS, &first));
+    need(CALL(find, &q->of, &q->box, NULL, TRIBOX_FIRST_MISS, &first));
     write_number("firstMiss", first);
+    need(CALL(overlap_oriented, &q->of, &q->oriented, NULL, mask, NULL));
+    write_mask("oriented7", mask, q);
+    need(CALL(overlap_oriented, &q->of, &q->oriented, &(tribox_options){.axes = TRIBOX_AXES_BOX}, mask, NULL));
+    write_mask("oriented1", mask, q);
 }
 
-static void answer_oriented(const question *q)
+/* Where the box has a middle that floats tell; of the second, that is the lower corner but for y. */
+static void answer_children(const question *q)
 {
-    uint64_t mask[WORDS_MAX];
-    need(tribox_overlap_oriented(&q->soup, &q->oriented, NULL, mask, NULL));
-    write_mask("orientedMask", mask, q);
-    need(tribox_overlap_oriented(&q->soup, &q->oriented, &(tribox_options){.axes = TRIBOX_AXES_BOX}, mask, NULL));
-    write_mask("orientedBounds", mask, q);
-}
-
-static void answer_doubles(const question *q)
-{
-    uint64_t mask[WORDS_MAX], inside[WORDS_MAX];
-    size_t first;
-    need(tribox_mesh_classify(&q->mesh, &q->box, NULL, mask, inside, NULL));
-    write_mask("meshMask", mask, q);
-    write_mask("meshInside", inside, q);
-    need(tribox_mesh_overlap_oriented(&q->mesh, &q->oriented, NULL, mask, NULL));
-    write_mask("meshOriented", mask, q);
-    need(tribox_mesh_find(&q->mesh, &q->box, NULL, TRIBOX_FIRST_HIT, &first));
-    write_number("meshFirst", first);
-    need(tribox_mesh_find(&q->mesh, &q->box, NULL, TRIBOX_FIRST_MISS, &first));
-    write_number("meshFirstMiss", first);
+    static uint8_t children[COUNT_MAX];
+    const double middle[3] = {q->box.lo[0], q->box.hi[1], q->box.lo[2]};
+    for (int a = 0; a < 3; a++)
+        if (!(q->box.lo[a] <= q->box.hi[a] && isfinite(q->box.lo[a] + q->box.hi[a])))
+            return;
+    need(CALL(split, &q->of, NULL, q->count, &q->box, NULL, NULL, children, NULL));
+    write_words("children", children, q->count);
+    need(CALL(split, &q->of, NULL, q->count, &q->box, middle, &(tribox_options){.axes = TRIBOX_AXES_BOX}, children, NULL));
+    write_words("childrenAt", children, q->count);
 }
 
 static void answer_fills(const question *q, const uint64_t *cells)
@@ -185,75 +177,72 @@ static void answer_fills(const question *q, const uint64_t *cells)
     need(tribox_fill_outside(q->grid.size, cells, scratch, solid, &inside));
     write_words("outside", solid, sizeof solid);
     write_number("outsideInside", inside);
-    need(tribox_fill_parity(&q->soup, &q->grid, cells, scratch, solid, &inside, &odd));
+    need(CALL(fill_parity, &q->of, &q->grid, cells, scratch, solid, &inside, &odd));
     write_words("parity", solid, sizeof solid);
+    write_number("parityInside", inside);
     write_number("parityOdd", odd);
-    need(tribox_mesh_fill_parity(&q->mesh, &q->grid, cells, scratch, solid, &inside, &odd));
-    write_words("meshParity", solid, sizeof solid);
-    write_number("meshParityInside", inside);
 }
 
-static void answer_tiles(const question *q)
+static void write_lists(const char *name, const size_t *starts, int count, const uint32_t *list)
+{
+    printf(", \"%sStarts\": [0", name);
+    for (int n = 1; n <= count; n++)
+        printf(",%zu", starts[n]);
+    printf("]");
+    write_words(name, list, starts[count] * sizeof *list);
+}
+
+static void answer_lists(const question *q)
 {
     static uint32_t list[LIST_MAX];
-    size_t starts[TILES + 1];
+    size_t starts[WINDOW_CELLS + 1];
     const tribox_tiles tiles = {.side = TILE, .count = TILES};
-    need(tribox_mesh_tile_lists(&q->mesh, &q->grid, &tiles, NULL, starts, NULL));
-    need(tribox_mesh_tile_lists(&q->mesh, &q->grid, &tiles, NULL, starts, list));
-    write_words("meshTiles", list, starts[TILES] * sizeof *list);
-    need(tribox_tile_lists(&q->soup, &q->grid, &tiles, NULL, starts, NULL));
-    need(tribox_tile_lists(&q->soup, &q->grid, &tiles, NULL, starts, list));
-    write_words("tiles", list, starts[TILES] * sizeof *list);
-    for (int t = 0; t <= TILES; t++)
-        list[t] = (uint32_t)starts[t];
-    write_words("tileStarts", list, (TILES + 1) * sizeof *list);
+    need(CALL(tile_lists, &q->of, &q->grid, &tiles, NULL, starts, NULL));
+    need(CALL(tile_lists, &q->of, &q->grid, &tiles, NULL, starts, list));
+    write_lists("tiles", starts, TILES, list);
+    need(CALL(cell_lists, &q->of, &q->grid, &window, NULL, starts, NULL));
+    need(CALL(cell_lists, &q->of, &q->grid, &window, NULL, starts, list));
+    write_lists("window", starts, WINDOW_CELLS, list);
 }
 
 /* Where the library serves the grid. */
 static void answer_cells(const question *q)
 {
-    uint64_t cells[GRID_WORDS] = {0}, some[GRID_WORDS] = {0};
-    const tribox_window window = {.first = {5, 1, 2}, .size = {60, 7, 2}};
-    if (tribox_voxelize(&q->soup, &q->grid, NULL, NULL, cells, NULL))
+    uint64_t cells[GRID_WORDS] = {0}, thin[GRID_WORDS] = {0}, some[WINDOW_CELLS] = {0};
+    if (CALL(voxelize, &q->of, &q->grid, NULL, NULL, cells, NULL))
         return;
     write_words("cells", cells, sizeof cells);
     answer_fills(q, cells);
-    need(tribox_mesh_voxelize(&q->mesh, &q->grid, &window, NULL, some, NULL));
-    write_words("meshWindow", some, tribox_window_words(window.size) * sizeof *some);
-    memset(cells, 0, sizeof cells);
-    need(tribox_mesh_voxelize(&q->mesh, &q->grid, NULL, NULL, cells, NULL));
-    write_words("meshCells", cells, sizeof cells);
-    memset(cells, 0, sizeof cells);
-    need(tribox_voxelize_thin(&q->soup, &q->grid, NULL, NULL, cells, NULL));
-    write_words("thin", cells, sizeof cells);
-    memset(some, 0, sizeof some);
-    need(tribox_mesh_voxelize_thin(&q->mesh, &q->grid, &window, NULL, some, NULL));
-    write_words("meshThinWindow", some, tribox_window_words(window.size) * sizeof *some);
-    answer_tiles(q);
+    need(CALL(voxelize_thin, &q->of, &q->grid, NULL, NULL, thin, NULL));
+    write_words("thin", thin, sizeof thin);
+    need(CALL(voxelize_thin, &q->of, &q->grid, &window, NULL, some, NULL));
+    write_words("windowThin", some, tribox_window_words(window.size) * sizeof *some);
+    need(CALL(voxelize, &q->of, &q->grid, &window, NULL, some, NULL));
+    write_words("windowCells", some, tribox_window_words(window.size) * sizeof *some);
+    answer_lists(q);
 }
 
 static void answer_order(const question *q)
 {
     static uint32_t order[COUNT_MAX];
     static float scratch[4 * COUNT_MAX];
-    need(tribox_soup_sort(&q->soup, order, scratch));
-    write_words("order", order, q->soup.count * sizeof *order);
-    need(tribox_mesh_sort(&q->mesh, order, scratch));
-    write_words("meshOrder", order, q->soup.count * sizeof *order);
+    need(q->of.is_mesh ? tribox_mesh_sort(&q->of.mesh, order, scratch) : tribox_soup_sort(&q->of.soup, order, scratch));
+    write_words("order", order, q->count * sizeof *order);
 }
 
 static void answer(const scene *s, random_source *r, int batches, bool is_finite)
 {
     static question q;
     draw(s, r, batches, is_finite, &q);
-    printf("{\"scene\": \"%s\"", s->name);
-    write_question(&q);
-    answer_boxes(&q);
-    answer_oriented(&q);
-    answer_doubles(&q);
-    answer_order(&q);
-    answer_cells(&q);
-    printf("}\n");
+    for (int form = 0; form < 2; form++) {
+        q.of.is_mesh = form;
+        write_question(s, &q);
+        answer_boxes(&q);
+        answer_children(&q);
+        answer_order(&q);
+        answer_cells(&q);
+        printf("}\n");
+    }
 }
 
 int main(int argc, char **argv)
