@@ -104,6 +104,7 @@ const ways = [
         ['axes7', ({ triangles, box }) => triangles.overlap(box, { axisOrder }).mask.words]),
     ['axes7', ({ triangles, box }) => triangles.classify(box).mask.words],
     ['axes7', ({ index, box }) => index.overlap(box).mask.words],
+    ['axes1', ({ index, box }) => index.overlap(box, { axes: ['box'] }).mask.words],
     ['axes7', ({ index, box }) => index.classify(box).mask.words],
     ['axes7', ({ index, box, count }) => wordsOf(index.list(box), count)],
     ['axes7', ({ sorted, box, count }) => wordsOf(sorted.index.list(box, { ids: true }), count)],

@@ -112,7 +112,8 @@ class Files(cases.TestCase):
                 with np.load(path) as one, np.load(ours) as other:
                     self.assertEqual(set(one.files), set(other.files))
                     orders = [np.lexsort(file["at"].T) for file in (one, other)]
-                    ids = [{(*cell, id) for cell, id in zip(bricks.cells().tolist(), () if bricks.ids is None else bricks.ids.tolist())}
+                    ids = [{(*cell, id) for cell,
+                            id in zip(bricks.cells().tolist(), () if bricks.ids is None else bricks.ids.tolist())}
                            for bricks in map(tribox.Bricks.load, (path, ours))]
                     self.assertEqual(*ids)
                     for name in set(one.files) - {"ids"}:
@@ -183,6 +184,33 @@ class Files(cases.TestCase):
         for wrong in (None, 3, b"x.npz", [path]):
             self.refuse(tribox.InputError, None, "^path = .*; give the path of a file", tribox.Bricks.load, wrong)
         self.assertRaises(FileNotFoundError, tribox.Bricks.load, "no.npz")
+
+    def test_ids_and_labels(self):
+        """Of bricks as of voxels, in .npz and, as bytes of all cells, in the others; and saved again."""
+        told = (tribox.voxelize(cases.some(), GRIDS["tenths"], ids=True),
+                tribox.bricks(cases.some(), GRIDS["tenths"], side=16, ids=True),
+                tribox.voxelize(cases.some(), resolution=30, fill="outside", labels=True))
+        for thing in told:
+            path = self.saved(thing, ".npz")
+            bricks = tribox.Bricks.load(path)
+            again = tribox.Bricks.load(self.saved(bricks, ".npz"))
+            self.assertEqual(sorted(bricks.cells().tolist()), sorted(thing.cells().tolist()))
+            if thing is not told[2]:
+                numbers = [dict(zip(map(tuple, one.cells().tolist()), one.ids.tolist())) for one in (thing, bricks, again)]
+                self.assertEqual(numbers, numbers[:1] * 3)
+                self.assertEqual(bricks.ids.dtype, np.uint32)
+                continue
+            labels = thing.labels()
+            for one in (bricks, again):
+                found = np.zeros_like(labels)
+                for cells, label in ((one.cells(), 1), (tribox.Bricks(one.at, one.inside, one.grid).cells(), 2)):
+                    found[tuple(cells.T[::-1])] = label
+                self.assert_same(found, labels)
+            self.assert_same(np.load(self.saved(thing, ".npy")), labels)
+            for ending in (".nrrd", ".vti"):
+                self.assertIn(labels.tobytes(), self.saved(thing, ending).read_bytes())
+            self.assertIsNone(tribox.Bricks.load(self.saved(thing.inside, ".npz")).inside)
+        self.assertIsNone(tribox.Bricks.load(self.saved(tribox.voxelize(cases.some(), GRIDS["tenths"]), ".npz")).ids)
 
     def test_refused(self):
         voxels, refuse = next(self.voxels()), self.refuse

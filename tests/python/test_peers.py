@@ -10,7 +10,7 @@ import unittest
 import numpy as np
 
 import cases
-from test_labels import turned
+from test_voxels import torus
 
 HERE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench", "peers")
 sys.path.append(HERE)
@@ -43,7 +43,7 @@ class Peers(unittest.TestCase):
         for name, text in modules:
             self.written(name + ".py", text.encode())
         path = os.path.join(self.folder, "rows.json")
-        mesh = self.written("torus.ply", self.ply(*turned(np.random.default_rng(cases.seed()))))
+        mesh = self.written("torus.ply", self.ply(*torus(np.random.default_rng(cases.seed()))))
         command = [sys.executable, "-B", run.__file__, "--cells", "16", "--rounds", "1", "--json", path, mesh, *words]
         env = {**os.environ, "PYTHONPATH": os.pathsep.join([self.folder, os.environ.get("PYTHONPATH", "")])}
         done = subprocess.run(command, env=env, stdout=subprocess.PIPE, text=True, check=False)

@@ -3,12 +3,35 @@
 A line that ends in "# wrong" has to be an error.
 """
 
-from typing import List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
-import meshes_of_others
 import numpy as np
 import tribox
 from numpy.typing import NDArray
+
+
+class Trimesh:
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+
+
+class Open3d:
+    vertices: Any
+    triangles: Any
+
+
+class PyVista:
+    points: NDArray[np.float32]
+    faces: NDArray[np.int64]
+
+
+class Meshio:
+    points: NDArray[np.float64]
+
+    @property
+    def cells_dict(self) -> Dict[str, NDArray[np.int64]]:
+        return {}
+
 
 Three = Tuple[float, float, float]
 triangles = np.zeros((1, 3, 3), np.float32)
@@ -16,8 +39,7 @@ lo, hi = (0, 0, 0), np.ones(3, np.float32)
 mesh = tribox.Mesh(np.zeros((3, 3)), [[0, 1, 2]])
 soup = tribox.Soup.of(mesh)
 forms: List[tribox.TrianglesLike] = [triangles, triangles.tolist(), mesh, soup, (np.zeros((3, 3)), [[0, 1, 2]]),
-                                     meshes_of_others.trimesh, meshes_of_others.open3d, meshes_of_others.pyvista,
-                                     meshes_of_others.meshio]
+                                     Trimesh(), Open3d(), PyVista(), Meshio()]
 box = tribox.OrientedBox(lo, hi, np.eye(3))
 
 for form in forms:
@@ -53,14 +75,14 @@ count: int = index.count(lo, hi) + len(index) + tribox.tile_count((8, 8, 8)) + i
 listed: NDArray[np.uint32] = index.list(lo, hi)
 lists, starts = index.lists(np.zeros((5, 3)), np.ones((5, 3)), threads=2)
 lists, starts = index.lists([[[0, 0, 0], [1, 1, 1]]])
-part: tribox.Cropped = tribox.crop(meshes_of_others.trimesh, lo, hi, inside=True)
+part: tribox.Cropped = tribox.crop(Trimesh(), lo, hi, inside=True)
 vertices, faces, face_numbers, vertex_numbers = tribox.crop(triangles, box, rest=True)
 chosen: NDArray[np.intp] = part.face_numbers
 many: NDArray[np.bool_] = tribox.overlap_boxes(triangles[0], np.zeros((5, 3)), np.ones((5, 3)))
 names: List[str] = tribox.kernels()
 version: str = tribox.__version__
 try:
-    tribox.Mesh(meshes_of_others.pyvista)
+    tribox.Mesh(PyVista())
 except tribox.Error as error:
     status: str = error.status or str(error)
 
