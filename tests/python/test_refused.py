@@ -288,8 +288,7 @@ def wrong_cells():
     yield InputError, None, "^window = ", tribox.Voxels, [array, GRID_OF_70, ((0, 0, 0), (4, 5, 7))], {}
     yield InputError, None, r"^these Voxels have no labels; voxelize.*labels=True", VOXELS.labels, [], {}
     yield InputError, None, r"^these Voxels have no ids; voxelize\(..., ids=True\) makes some", lambda: VOXELS.ids, [], {}
-    
-        triangle = np.array([[[0, 0, 0], [2, 0, 0], [0, 2, 0]]], np.float32)
+    triangle = np.array([[[0, 0, 0], [2, 0, 0], [0, 2, 0]]], np.float32)
     yield InputError, None, "at least 2e.12 numbers of triangles, and can have 4.29e.09 at most; give larger cells", *(
         tribox.cell_lists, [triangle], dict(resolution=2000000))
 
