@@ -98,11 +98,7 @@ export class Engine {
         const { starts, count } = this.parts,
             answers = await this.all('ask', question);
         const join = (name) =>
-            joinBits(
-                answers.map((answer) => answer[name]),
-                starts,
-                count,
-            );
+            joinBits(answers.map((answer) => answer[name]), starts, count);
         return {
             mask: join('mask'),
             inside: join('inside'),

@@ -2,11 +2,7 @@
 import { load } from 'tribox';
 import { visitsOf } from './visits.js';
 
-const GROUPS = [
-    [1, 'box'],
-    [2, 'plane'],
-    [4, 'edges'],
-];
+const GROUPS = [[1, 'box'], [2, 'plane'], [4, 'edges']];
 
 const optionsOf = ({ accuracy, axes, order }) => ({
     accuracy,

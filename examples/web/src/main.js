@@ -2,7 +2,6 @@
 import readerWasm from 'built:read';
 import wasm from 'built:wasm';
 import { makeChoice } from './choices.js';
-import { takeDrops } from './drop.js';
 import { Engine, makeMesh } from './engine.js';
 import { readGlb } from './glb.js';
 import { Motion } from './motion.js';
@@ -10,7 +9,6 @@ import { Page } from './page.js';
 import { Panel } from './panel.js';
 import { scenes } from './scenes/scenes.js';
 import { Story } from './story/story.js';
-import { startTheme } from './theme.js';
 import { addBoxKeys } from './view/box_keys.js';
 import { BoxView } from './view/box_view.js';
 import { Cells } from './view/cells.js';
@@ -18,6 +16,56 @@ import { Corners } from './view/corners.js';
 import { NodeBoxes } from './view/node_boxes.js';
 import { Stage } from './view/stage.js';
 import { Triangles } from './view/triangles.js';
+
+/* Dark or light: what the system prefers, until the button is pressed. */
+const names = ['missed', 'straddling', 'inside', 'unlike', 'box', 'cells'];
+
+function coloursOf(root) {
+    const style = getComputedStyle(root);
+    return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+}
+
+/** paint is called with the colours now and at every change. */
+function startTheme(button, paint) {
+    const root = document.documentElement,
+        system = matchMedia('(prefers-color-scheme: light)');
+    let chosen = null;
+    const apply = () => {
+        const theme = chosen ?? (system.matches ? 'light' : 'dark');
+        root.dataset.theme = theme;
+        button.textContent = theme === 'dark' ? 'Light' : 'Dark';
+        paint(coloursOf(root));
+    };
+    button.addEventListener('click', () => {
+        chosen = root.dataset.theme === 'dark' ? 'light' : 'dark';
+        apply();
+    });
+    system.addEventListener('change', apply);
+    apply();
+}
+
+/** Files that are dropped on the page. */
+function takeDrops(body, onFile) {
+    let depth = 0; // dragenter and dragleave come from every element on the way
+    const show = () => body.classList.toggle('is-dragging', depth > 0);
+    body.addEventListener('dragenter', (event) => {
+        event.preventDefault();
+        depth++;
+        show();
+    });
+    body.addEventListener('dragleave', () => {
+        depth--;
+        show();
+    });
+    body.addEventListener('dragover', (event) => event.preventDefault());
+    body.addEventListener('drop', (event) => {
+        event.preventDefault();
+        depth = 0;
+        show();
+        const [file] = event.dataTransfer.files;
+        if (file) onFile(file);
+    });
+}
 
 const element = (id) => document.getElementById(id);
 const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -37,11 +85,7 @@ function startView(onBox, onCorner) {
         box: new BoxView(stage, onBox),
     };
     stage.addOrbit();
-    addBoxKeys(
-        stage,
-        view.box,
-        makeChoice(element('mode'), (mode) => view.box.setMode(mode)),
-    );
+    addBoxKeys(stage, view.box, makeChoice(element('mode'), (mode) => view.box.setMode(mode)));
     startTheme(element('theme'), (colours) => {
         for (const painted of [view.triangles, view.cells, view.nodes, view.corners, view.box]) painted.paint(colours);
     });

@@ -1,9 +1,79 @@
 // page.js - what is on the page, and what it does: shows a mesh, asks about the box, marks cells, measures.
-import { allowedTest } from './allowed.js';
 import { boxOfPose, boxOfText, poseBox } from './box.js';
-import { drawChart, factorOf } from './chart.js';
-import { latest } from './latest.js';
 import { placesOf } from './mesh.js';
+import { three, whole } from './numbers.js';
+
+const WORDS = { paper: "the paper's", exact: 'tribox' };
+
+function bar({ name, ns }, paper, most) {
+    const word = document.createElement('dt'),
+        value = document.createElement('dd'),
+        length = document.createElement('i');
+    const text = document.createElement('span'),
+        number = document.createElement('b');
+    word.textContent = WORDS[name];
+    length.style.width = `calc((100% - 104px) * ${ns / most})`;
+    number.textContent = three(ns);
+    text.append(number, ' ns');
+    if (name !== 'paper') text.append(`, ${(paper / ns).toFixed(1)}×`);
+    value.append(length, text);
+    value.className = name;
+    return [word, value];
+}
+
+/** How many times as fast as the paper's. */
+const factorOf = ({ rows }) => rows[0].ns / rows[1].ns;
+
+function drawChart(to, { rows, rounds, triangles }, kernel) {
+    const list = document.createElement('dl'),
+        note = document.createElement('p');
+    const [{ ns: paper }] = rows,
+        most = Math.max(...rows.map((row) => row.ns));
+    list.className = 'bars';
+    list.append(...rows.flatMap((row) => bar(row, paper, most)));
+    note.className = 'note';
+    note.textContent =
+        `Nanoseconds a triangle for this box: ${whole(triangles)} triangles on one thread, the least of ${rounds} rounds. ` +
+        `The paper's algorithm is in the same WebAssembly as tribox's ${kernel}.`;
+    to.replaceChildren(list, note);
+}
+
+/** Returns a function that asks for `work`. onError is handed what went wrong, or null when nothing did. */
+function latest(work, onError) {
+    let isBusy = false,
+        isWanted = false;
+    return async () => {
+        isWanted = true;
+        if (isBusy) return;
+        isBusy = true;
+        try {
+            while (isWanted) {
+                isWanted = false;
+                await work();
+            }
+            onError(null);
+        } catch (error) {
+            onError(error);
+        } finally {
+            isBusy = false;
+        }
+    };
+}
+
+const BOX = 1,
+    ALL = 7;
+
+/** The test that is asked, and a note where it is not the one that was chosen. */
+function allowedTest(test, box, byIndex) {
+    if (box.turned && test.axes !== ALL && test.axes !== BOX)
+        return {
+            test: { ...test, axes: ALL },
+            note: 'A turned box is asked with all axes, or with the 3 of the box alone: all are taken.',
+        };
+    if (byIndex && !(test.axes & BOX))
+        return { test: { ...test, axes: test.axes | BOX }, note: 'The index needs the 3 axes of the box: they are taken, too.' };
+    return { test, note: '' };
+}
 
 const REST_MS = 150;
 

@@ -1,8 +1,7 @@
 // worker.js - answers questions about one part of a mesh, off the page's thread: messages in, messages out.
 import { countBits } from './bits.js';
-import { breathe } from './breathe.js';
 import { Library } from './library.js';
-import { measure } from './measure.js';
+import { breathe, measure } from './measure.js';
 import { serve } from './serve.js';
 
 let library = null;

@@ -22,11 +22,7 @@ export const scenes = {
         box: { center: [0, 0, 0], half: [0.5, 0.5, 0.5] },
     },
     ties: { title: 'Ties: 600 that graze the box', make: () => tiesScene(600), box: { center: [0, 0, 0], half: [1, 1, 1] } },
-    grazing: {
-        title: 'Ties: 30 large ones',
-        make: () => tiesScene(30, 5),
-        box: { center: [0, 0, 0], half: [1, 1, 1] },
-    },
+    grazing: { title: 'Ties: 30 large ones', make: () => tiesScene(30, 5), box: { center: [0, 0, 0], half: [1, 1, 1] } },
     one: {
         title: 'One triangle',
         make: () => Float32Array.of(0.5, 1.125, 1.625, -0.75, -1.625, 1.25, 1.75, 0.375, 1), // apart on a11 alone

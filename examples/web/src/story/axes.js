@@ -1,10 +1,6 @@
 // axes.js - the thirteen axes of the paper about one triangle and the cube from -1 to 1: where each sees both, and the gap between.
 
-const UNIT = [
-    [1, 0, 0],
-    [0, 1, 0],
-    [0, 0, 1],
-];
+const UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 const cross = (u, v) => [0, 1, 2].map((a) => u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3]);
 const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];

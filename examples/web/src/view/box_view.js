@@ -6,12 +6,7 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
 const EDGES = [0, 1, 2].flatMap((axis) =>
-    [
-        [-1, -1],
-        [-1, 1],
-        [1, -1],
-        [1, 1],
-    ].flatMap(([p, q]) =>
+    [[-1, -1], [-1, 1], [1, -1], [1, 1]].flatMap(([p, q]) =>
         [-1, 1].flatMap((end) => {
             const point = [0, 0, 0];
             point[axis] = end;
@@ -33,26 +28,14 @@ export class BoxView {
         this.pose = new Object3D(); // unit cube from -1 to 1, so that its scale is half the lengths
         this.faces = new Mesh(
             new BoxGeometry(2, 2, 2),
-            new MeshBasicMaterial({
-                transparent: true,
-                opacity: 0.07,
-                depthWrite: false,
-                side: DoubleSide,
-                toneMapped: false,
-            }),
+            new MeshBasicMaterial({ transparent: true, opacity: 0.07, depthWrite: false, side: DoubleSide, toneMapped: false }),
         );
         this.faces.renderOrder = 1;
         const lines = new LineSegmentsGeometry().setPositions(EDGES);
         this.edges = new LineSegments2(lines, new LineMaterial({ linewidth: 2.25, toneMapped: false }));
         this.hidden = new LineSegments2(
             lines,
-            new LineMaterial({
-                linewidth: 1.25,
-                transparent: true,
-                opacity: 0.35,
-                depthTest: false,
-                toneMapped: false,
-            }),
+            new LineMaterial({ linewidth: 1.25, transparent: true, opacity: 0.35, depthTest: false, toneMapped: false }),
         );
         this.edges.renderOrder = this.hidden.renderOrder = 2;
         this.pose.add(this.faces, this.edges, this.hidden);

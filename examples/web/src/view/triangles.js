@@ -1,8 +1,40 @@
 // triangles.js - the mesh, each triangle in the colour of its class: missed, straddling, inside, or unlike EXACT. Of a mesh that is
 // more than is drawn, those that straddle, and a sample of all.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, Points, ShaderMaterial } from 'three';
+import {
+    BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, GLSL3, Mesh, NearestFilter, Points, RedIntegerFormat,
+    ShaderMaterial, UnsignedIntType,
+} from 'three';
 import { listBits } from '../bits.js';
-import { BitTexture, readBit } from './bit_texture.js';
+
+const WIDTH = 1024;
+
+class BitTexture {
+    constructor(bits) {
+        const height = Math.max(1, Math.ceil(bits / 32 / WIDTH));
+        this.words = new Uint32Array(WIDTH * height);
+        this.texture = new DataTexture(this.words, WIDTH, height, RedIntegerFormat, UnsignedIntType);
+        this.texture.internalFormat = 'R32UI';
+        this.texture.minFilter = this.texture.magFilter = NearestFilter;
+        this.texture.needsUpdate = true;
+    }
+
+    /** words: null for none set. */
+    set(words) {
+        if (words) this.words.set(words);
+        else this.words.fill(0);
+        this.texture.needsUpdate = true;
+    }
+
+    dispose() {
+        this.texture.dispose();
+    }
+}
+
+const readBit = /* glsl */ `
+bool bit_of(highp usampler2D words, int i) {
+    int word = i >> 5;
+    return (texelFetch(words, ivec2(word & ${WIDTH - 1}, word / ${WIDTH}), 0).r >> uint(i & 31) & 1u) == 1u;
+}`;
 
 const vertexShader = /* glsl */ `
 uniform highp usampler2D mask, inside, unlike;
