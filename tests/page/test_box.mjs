@@ -33,10 +33,7 @@ export async function begins() {
 export async function isDragged() {
     const page = await usualPage();
     let from = ON_BOX;
-    for (const to of [
-        [300, 250],
-        [370, 280],
-    ]) {
+    for (const to of [[300, 250], [370, 280]]) {
         const before = boxOf(await answerOf(page)),
             answer = await answerAfter(page, () => drag(page, from, to));
         const after = boxOf(answer),

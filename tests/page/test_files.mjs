@@ -4,8 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { answerAfter, answerOf, ask, assertSame, settled } from './answer.mjs';
-import { usualPage } from './browser.mjs';
-import { dropFile } from './drop.mjs';
+import { dropFile, usualPage } from './browser.mjs';
 import { everyKind, folder, glbBytes, plyBytes, raw, small, stlBytes, stlText, write } from './meshes.mjs';
 
 export async function everyKindOfFile() {
@@ -132,10 +131,7 @@ export async function polygonsBecomeFans() {
             [1, 2, 0],
             [-1, 1, 0],
         ],
-        faces = [
-            [0, 1, 2, 3, 4],
-            [0, 1, 3],
-        ];
+        faces = [[0, 1, 2, 3, 4], [0, 1, 3]];
     const bytes = new Uint8Array(header.length + 5 * 13 + 11 + 7),
         view = new DataView(bytes.buffer);
     bytes.set(new TextEncoder().encode(header));
@@ -149,12 +145,7 @@ export async function polygonsBecomeFans() {
         face.forEach((v, k) => view.setUint16(at + 1 + 2 * k, v));
         at += 1 + 2 * face.length;
     }
-    const fans = [
-        [0, 1, 2],
-        [0, 2, 3],
-        [0, 3, 4],
-        [0, 1, 3],
-    ].flatMap((fan) => fan.flatMap((v) => points[v]));
+    const fans = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 3]].flatMap((fan) => fan.flatMap((v) => points[v]));
     const page = await usualPage(),
         answer = await answerAfter(page, () => dropFile(page, 'pentagon.ply', bytes));
     assert.equal(answer.straddling + answer.inside + answer.missed, 4);
@@ -181,10 +172,7 @@ export async function filesStayInTheList() {
     await answerAfter(page, () => dropFile(page, 'b.stl', stlBytes(half)));
     await answerAfter(page, () => dropFile(page, 'a.stl', stlBytes(small)));
     const names = await page.$$eval('#scene option', (all) => all.map(({ text }) => text).filter((text) => text.endsWith('.stl')));
-    assert.deepEqual(
-        names.filter((name) => name.length === 5),
-        ['a.stl', 'b.stl'],
-    );
+    assert.deepEqual(names.filter((name) => name.length === 5), ['a.stl', 'b.stl']);
     await answerAfter(page, () => page.selectOption('#scene', 'file:b.stl'));
     const again = await answerAfter(page, () => page.selectOption('#scene', 'file:a.stl'));
     assert.deepEqual([again.straddling, again.inside], [first.straddling, first.inside]);

@@ -1,8 +1,7 @@
 // test_races.mjs - another mesh is wished for while something about the one before is on its way.
 import assert from 'node:assert/strict';
 import { answerAfter, answerOf, assertSame, settled } from './answer.mjs';
-import { openPage, usualPage } from './browser.mjs';
-import { dropFile } from './drop.mjs';
+import { dropFile, openPage, usualPage } from './browser.mjs';
 import { coarseFile, small, stlBytes } from './meshes.mjs';
 
 /** Asks about the mesh once more just before Workers are handed the next; keeps what the page says of it in `said`. */

@@ -2,8 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { answerAfter, assertSame } from './answer.mjs';
-import { usualPage } from './browser.mjs';
-import { dropFile } from './drop.mjs';
+import { dropFile, usualPage } from './browser.mjs';
 import { everyKind, glbBytes, raw, small, stlText, write } from './meshes.mjs';
 
 const moved = (triangles, by) => Float32Array.from(triangles, (x, i) => x + by[i % 3]);
@@ -20,10 +19,7 @@ async function assertRead(name, content, triangles) {
 }
 
 export async function nodesShareMesh() {
-    const offsets = [
-        [1, 0, 0],
-        [0, 2, 0],
-    ];
+    const offsets = [[1, 0, 0], [0, 2, 0]];
     const content = glbBytes(small, (json) => {
         json.nodes = offsets.map((translation) => ({ mesh: 0, translation }));
         json.scenes[0].nodes = [0, 1];

@@ -29,11 +29,7 @@ export function gapsAreTheLibrarys() {
         const { indices } = ask(['overlap', 'MESH', '--box=-1,-1,-1,1,1,1', '--axes', group, '--list'], file),
             hits = new Set(indices);
         const apart = axes.map((all) => all.some((axis) => axis.group === group && axis.gap > 0));
-        assert.deepEqual(
-            apart.map((isApart, i) => isApart === !hits.has(i)),
-            Array(count).fill(true),
-            group,
-        );
+        assert.deepEqual(apart.map((isApart, i) => isApart === !hits.has(i)), Array(count).fill(true), group);
         assert.ok(hits.size > 500 && hits.size < count, `${group}: ${hits.size}`);
     }
 }
@@ -53,10 +49,7 @@ export async function opens() {
     await page.keyboard.press('ArrowUp');
     assert.equal(await page.textContent('#play'), 'Play', 'the box moves on though it was touched');
     const links = await page.$$eval('.links a', (all) => all.map((a) => [a.textContent, a.getAttribute('href')]));
-    assert.deepEqual(
-        links.map(([name]) => name),
-        ['Source', 'Documents'],
-    );
+    assert.deepEqual(links.map(([name]) => name), ['Source', 'Documents']);
     assert.ok(
         links.every(([, address]) => address && !address.startsWith('built:')),
         `${links}`,
@@ -185,10 +178,7 @@ export async function withoutWebgl() {
 
 /** What is drawn without a graphics card: of the paper's triangles, each of which covers a part of the picture, hundreds. */
 export async function budgetIsKept() {
-    for (const [scene, most] of [
-        ['paper', 100],
-        ['million', 16000],
-    ]) {
+    for (const [scene, most] of [['paper', 100], ['million', 16000]]) {
         const page = await openPage({ query: `?scene=${scene}`, options: SMALL });
         const [, drawn] = (await page.textContent('#mesh-note')).match(/Drawn: ([\d,]+) in place of all/);
         assert.ok(Number(drawn.replaceAll(',', '')) <= most / 2, `${scene}: ${drawn}`);

@@ -1,9 +1,28 @@
 // test_threads.mjs - Workers: two wherever there are two processors, one where one is asked for; the answers are the same.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
 import { answerAfter, answerOf, assertSame } from './answer.mjs';
 import { openPage } from './browser.mjs';
 import { coarseFile } from './meshes.mjs';
-import { served } from './serve.mjs';
+
+const isolated = { 'Cross-Origin-Opener-Policy': 'same-origin', 'Cross-Origin-Embedder-Policy': 'require-corp' };
+
+/** Runs work(url) while the page is served. */
+async function served(areHeadersWanted, work) {
+    const page = await readFile(process.env.PAGE);
+    const server = createServer((request, response) => {
+        response.writeHead(200, { 'Content-Type': 'text/html; charset=utf-8', ...(areHeadersWanted && isolated) });
+        response.end(page);
+    });
+    await new Promise((go) => server.listen(0, '127.0.0.1', go));
+    try {
+        await work(`http://127.0.0.1:${server.address().port}/`);
+    } finally {
+        server.close();
+        server.closeAllConnections();
+    }
+}
 
 async function assertWorkers(page, count) {
     assert.equal(page.workers().length, count);
@@ -19,19 +38,13 @@ export async function fromAFolder() {
     await assertWorkers(page, await most(page));
 }
 
-export async function withHeaders() {
-    await served(true, async (url) => {
-        const page = await openPage({ url });
-        assert.equal(await page.evaluate(() => crossOriginIsolated), true);
-        await assertWorkers(page, await most(page));
-    });
-}
-
-export async function withoutHeaders() {
-    await served(false, async (url) => {
-        const page = await openPage({ url });
-        await assertWorkers(page, await most(page));
-    });
+export async function overHttp() {
+    for (const isIsolated of [true, false])
+        await served(isIsolated, async (url) => {
+            const page = await openPage({ url });
+            assert.equal(await page.evaluate(() => crossOriginIsolated), isIsolated);
+            await assertWorkers(page, await most(page));
+        });
 }
 
 export async function oneAndFive() {
