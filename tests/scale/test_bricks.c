@@ -3,10 +3,10 @@
  * UINT32_MAX; with lists, the triangles that tiles of one cell list. Whole and in shares, of any tiles, with lists in any order,
  * where bricks are crowded, in any environment, and up to where the sink ends the call.
  */
-#include "brick_book.h"
-
 #include "common/float_environment.h"
 #include "common/harness.h"
+#include "common/window_bits.h"
+#include "tile_case.h"
 
 enum { PAIRS = 100000, ROUNDS = 600, WALLS = 500, IDS = 64 * CASE_WORDS, LARGE = 1024 };
 
@@ -16,6 +16,69 @@ static uint32_t dense[IDS];
 
 /* In a large tile there is no room for ids. */
 static const uint32_t tiles[] = {8, 16, 24, 40, 64, 128, LARGE};
+
+/* Checks what it is handed, and keeps the bits as those of a dense grid. */
+typedef struct brick_book {
+    const uint32_t *size; /* of the grid */
+    uint32_t tile;
+    uint64_t *occupied;   /* NULL to keep nothing */
+    size_t bricks, cells; /* handed on by now */
+    size_t most;          /* bricks after which it ends the call */
+    uint64_t last[4];     /* the place of the last brick: tile, z, y, x */
+    unsigned environment; /* in which it has to run */
+} brick_book;
+
+/* Without an end, in the environment of now. */
+static brick_book open_book(const tile_case *c, uint64_t *to)
+{
+    return (brick_book){
+        .size = c->of.grid.size, .tile = c->tile, .occupied = to, .most = SIZE_MAX, .environment = environment_get()};
+}
+
+static uint64_t tile_of(const brick_book *b, const uint32_t at[3])
+{
+    uint64_t tile = 0;
+    for (int a = 2; a >= 0; a--)
+        tile = tile * ((b->size[a] + b->tile - 1) / b->tile) + 8 * (uint64_t)at[a] / b->tile;
+    return tile;
+}
+
+static void check_order(brick_book *b, const uint32_t at[3])
+{
+    const uint64_t place[4] = {tile_of(b, at), at[2], at[1], at[0]};
+    int n = 0;
+    while (n < 3 && place[n] == b->last[n])
+        n++;
+    assert_true(!b->bricks || place[n] > b->last[n]);
+    memcpy(b->last, place, sizeof place);
+}
+
+static void take_cell(brick_book *b, const uint64_t cell[3])
+{
+    for (int a = 0; a < 3; a++)
+        assert_true(cell[a] < b->size[a]);
+    b->cells++;
+    if (b->occupied)
+        window_put(b->size, b->occupied, cell[0], cell[1], cell[2], true);
+}
+
+/*
+ * Fails the test where a brick is empty, has a cell outside the grid, or does not come after the last one by the number of its
+ * tile, then z, y and x.
+ */
+static int take_brick(brick_book *b, const uint32_t at[3], const uint64_t bits[8])
+{
+    const size_t before = b->cells;
+    assert_int_equal(environment_get(), b->environment);
+    assert_true(b->bricks < b->most);
+    check_order(b, at);
+    for (uint64_t k = 0; k < 8; k++)
+        for (uint64_t n = 0; n < 64; n++)
+            if (bits[k] >> n & 1)
+                take_cell(b, (uint64_t[3]){8 * (uint64_t)at[0] + n % 8, 8 * (uint64_t)at[1] + n / 8, 8 * (uint64_t)at[2] + k});
+    assert_true(b->cells > before);
+    return ++b->bricks >= b->most;
+}
 
 /* What comes with bits. */
 typedef enum brick_kind { WITH_NOTHING, WITH_IDS, WITH_LISTS, BRICK_KINDS } brick_kind;
@@ -30,7 +93,7 @@ typedef struct list_book {
 
 static int take_bits(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
-    return brick_book_take(&((list_book *)data)->book, at, bits);
+    return take_brick(&((list_book *)data)->book, at, bits);
 }
 
 /* EXACT has the id of the dense grid; CONSERVATIVE, for which more triangles count, at most that; FAST may err. */
@@ -44,7 +107,7 @@ static void check_id(const list_book *b, const uint32_t cell[3], bool is_set, ui
     const size_t row = (size_t)cell[2] * size[1] + cell[1];
     const bool is_dense = dense_bits[row * ((size[0] + 63) / 64) + cell[0] / 64] >> cell[0] % 64 & 1;
     const uint32_t expected = is_dense ? dense[row * size[0] + cell[0]] : UINT32_MAX;
-    if (id >= tile_case_triangles(&drawn) || (b->accuracy == TRIBOX_EXACT && id != expected) ||
+    if (id >= drawn.of.count || (b->accuracy == TRIBOX_EXACT && id != expected) ||
         (b->accuracy == TRIBOX_CONSERVATIVE && id > expected))
         fail_msg("%s: cell %u %u %u has id %u, not %u", doing, (unsigned)cell[0], (unsigned)cell[1], (unsigned)cell[2],
                  (unsigned)id, (unsigned)expected);
@@ -56,7 +119,7 @@ static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], co
     for (uint32_t n = 0; n < 512; n++)
         check_id(b, (const uint32_t[3]){8 * at[0] + n % 8, 8 * at[1] + n / 8 % 8, 8 * at[2] + n / 64}, bits[n / 64] >> n % 64 & 1,
                  ids[n]);
-    return brick_book_take(&b->book, at, bits);
+    return take_brick(&b->book, at, bits);
 }
 
 /* EXACT has the list of the cell, CONSERVATIVE may have more, FAST may err. */
@@ -86,7 +149,7 @@ static int take_lists(void *data, const uint32_t at[3], const uint64_t bits[8], 
         if (i < size[0] && j < size[1] && k < size[2])
             check_list(b, (k * size[1] + j) * size[0] + i, list + starts[n], count);
     }
-    return brick_book_take(&b->book, at, bits);
+    return take_brick(&b->book, at, bits);
 }
 
 static size_t bytes_of(brick_kind kind, size_t from, size_t to, const tile_lists *lists)
@@ -114,7 +177,7 @@ static size_t take_share(random_source *r, brick_kind kind, size_t from, size_t 
     tribox_report report;
     if (drawn.tile < LARGE)
         memset(scratch, random_int(r, 2) ? 0 : 0xff, bytes - offset);
-    book.book = brick_book_open(&drawn, occupied);
+    book.book = open_book(&drawn, occupied);
     book.book.most = most;
     book.book.environment = set;
     environment_set(set);
@@ -161,15 +224,15 @@ static void check_bits(tribox_accuracy accuracy)
 static void check(random_source *r)
 {
     const size_t count = tile_case_tiles(&drawn);
-    list_book book = {.accuracy = drawn.options.accuracy, .copies = random_int(r, 4) ? 1 : 2};
+    list_book book = {.accuracy = drawn.of.options.accuracy, .copies = random_int(r, 4) ? 1 : 2};
     tile_lists lists = tile_case_lists(&drawn, 0, count);
     in_cells = drawn;
     in_cells.tile = 1;
-    in_cells.options = (tribox_options){.axes = drawn.options.axes, .kernel = "scalar"};
+    in_cells.of.options = (tribox_options){.axes = drawn.of.options.axes, .kernel = "scalar"};
     const tile_lists cells = tile_case_lists(&in_cells, 0, tile_case_tiles(&in_cells));
     book.cells = &cells;
     memset(dense_bits, 0, sizeof dense_bits);
-    tile_case_dense_ids(&drawn, &in_cells.options, dense_bits, dense);
+    tile_case_dense_ids(&drawn, &in_cells.of.options, dense_bits, dense);
     memset(occupied, 0, sizeof occupied);
     const size_t bricks = take_share(r, WITH_NOTHING, 0, count, &lists, book, SIZE_MAX);
     memcpy(whole, occupied, sizeof whole);
@@ -206,15 +269,16 @@ CASE(test_crowded)
     random_source r = random_named(args.seed, "crowded bricks");
     for (int n = 0; n < 8; n++) {
         tile_case_draw(&r, n % 2 ? 8 : 24, &drawn);
-        drawn.is_double = drawn.is_mesh = false;
-        drawn.options = (tribox_options){.kernel = drawn.options.kernel};
-        drawn.at.grid = (tribox_grid){{0, 0, 0}, {1, 1, 1}, {24, 16, 20}};
-        drawn.triangles.count = 0;
+        drawn.of.is_double = false;
+        drawn.of.form = SOUP;
+        drawn.of.options = (tribox_options){.kernel = drawn.of.options.kernel};
+        drawn.of.grid = (tribox_grid){{0, 0, 0}, {1, 1, 1}, {24, 16, 20}};
+        drawn.of.count = 0;
         for (int wall = 0; wall < (n < 6 ? WALLS : 20); wall++) {
-            float u[3][3] = {{0, -40, -40}, {0, 90, -40}, {0, -40, 90}};
+            double u[3][3] = {{0, -40, -40}, {0, 90, -40}, {0, -40, 90}};
             for (int v = 0; v < 3; v++)
-                u[v][0] = (float)random_int(&r, wall % 4 ? 6 : 90) / 4;
-            triangle_list_put(&drawn.triangles, (const_vertices)u);
+                u[v][0] = random_int(&r, wall % 4 ? 6 : 90) / 4.0;
+            cells_put(&drawn.of, u);
         }
         check(&r);
     }

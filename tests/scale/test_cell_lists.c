@@ -10,8 +10,8 @@ static tile_case drawn;
 
 static tribox_status list(const tile_case *c, const tribox_window *window, size_t *starts, uint32_t *numbers)
 {
-    const soup_or_mesh of = tile_case_asked(c);
-    return CALL(cell_lists, &of, tile_case_grid(c), window, &c->options, starts, numbers);
+    const soup_or_mesh of = cells_all(&c->of);
+    return CALL(cell_lists, &of, &c->of.grid, window, &c->of.options, starts, numbers);
 }
 
 static size_t cells_of(const uint32_t size[3]) { return (size_t)size[0] * size[1] * size[2]; }
@@ -67,11 +67,11 @@ static size_t cell_in_grid(const tribox_window *w, const uint32_t size[3], size_
 /* By the scalar kernel's answer for the box of a cell. */
 static void check_cell(const tile_case *c, size_t cell, const uint32_t *numbers, size_t count)
 {
-    const tribox_options exact = {.axes = c->options.axes, .kernel = "scalar"};
-    uint64_t mask[TRIANGLE_LIST_MAX / 64];
+    const tribox_options exact = {.axes = c->of.options.axes, .kernel = "scalar"};
+    uint64_t mask[CELLS_TRIANGLES / 64];
     size_t found = 0;
     tile_case_overlap(c, cell, &exact, mask);
-    for (size_t i = 0; i < tile_case_triangles(c); i++)
+    for (size_t i = 0; i < c->of.count; i++)
         if (bit_of(mask, i) && (found >= count || numbers[found++] != i))
             fail_msg("%s: triangle %zu is missing in cell %zu", doing, i, cell);
     if (found != count)
@@ -84,7 +84,7 @@ static void check_window(random_source *r, const tile_case *c, const tribox_wind
     const size_t cells = cells_of(window->size);
     const cell_lists l = make_lists(c, window, cells);
     for (size_t at = 0; at < cells; at++) {
-        const size_t cell = cell_in_grid(window, tile_case_size(c), at), count = l.starts[at + 1] - l.starts[at];
+        const size_t cell = cell_in_grid(window, c->of.grid.size, at), count = l.starts[at + 1] - l.starts[at];
         if (count != whole->starts[cell + 1] - whole->starts[cell])
             fail_msg("%s: cell %zu of a window has %zu triangles, of the grid %zu", doing, cell, count,
                      whole->starts[cell + 1] - whole->starts[cell]);
@@ -99,8 +99,8 @@ static void check_window(random_source *r, const tile_case *c, const tribox_wind
 static void check_set(const tile_case *c, const cell_lists *whole)
 {
     static uint64_t occupied[CASE_WORDS];
-    const uint32_t *const size = tile_case_size(c);
-    const tribox_options exact = {.axes = c->options.axes, .kernel = "scalar"};
+    const uint32_t *const size = c->of.grid.size;
+    const tribox_options exact = {.axes = c->of.options.axes, .kernel = "scalar"};
     const size_t row = 64 * ((size[0] + 63) / 64);
     tile_case_dense(c, &exact, occupied);
     for (size_t cell = 0; cell < cells_of(size); cell++)
@@ -124,15 +124,15 @@ CASE(test_windows)
     random_source r = random_named(args.seed, "lists by cell");
     for (size_t round = 0; round < arguments_rounds(&args, ROUNDS); round++) {
         tile_case_draw(&r, 1, &drawn);
-        drawn.options.accuracy = TRIBOX_EXACT;
+        drawn.of.options.accuracy = TRIBOX_EXACT;
         tile_case_tell(&drawn, doing, sizeof doing);
-        const size_t cells = cells_of(tile_case_size(&drawn));
+        const size_t cells = cells_of(drawn.of.grid.size);
         const cell_lists whole = make_lists(&drawn, NULL, cells);
         check_share(&drawn, &whole, 0, cells / 2);
         check_share(&drawn, &whole, cells / 2, cells);
         check_set(&drawn, &whole);
         for (int n = 0; n < 3; n++) {
-            const tribox_window window = draw_window(&r, tile_case_size(&drawn));
+            const tribox_window window = draw_window(&r, drawn.of.grid.size);
             check_window(&r, &drawn, &window, &whole);
         }
         free_lists(whole);

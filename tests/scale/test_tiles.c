@@ -51,11 +51,11 @@ static void free_lists(guarded_lists g)
 /* EXACT lists a tile's triangles; others list these, and of those that the box normals leave any. */
 static void check_tile(const tile_case *c, size_t tile, const uint32_t *list, size_t count)
 {
-    const unsigned axes = c->options.axes ? c->options.axes : TRIBOX_AXES_ALL;
+    const unsigned axes = c->of.options.axes ? c->of.options.axes : TRIBOX_AXES_ALL;
     const tribox_options exact = {.axes = axes, .kernel = "scalar"}, wide = {.axes = axes & TRIBOX_AXES_BOX, .kernel = "scalar"};
-    const bool is_exact = c->options.accuracy == TRIBOX_EXACT;
-    const size_t triangles = tile_case_triangles(c);
-    uint64_t least[TRIANGLE_LIST_MAX / 64], most[TRIANGLE_LIST_MAX / 64], listed[TRIANGLE_LIST_MAX / 64] = {0};
+    const bool is_exact = c->of.options.accuracy == TRIBOX_EXACT;
+    const size_t triangles = c->of.count;
+    uint64_t least[CELLS_TRIANGLES / 64], most[CELLS_TRIANGLES / 64], listed[CELLS_TRIANGLES / 64] = {0};
     tile_case_overlap(c, tile, &exact, least);
     tile_case_overlap(c, tile, is_exact || !wide.axes ? &exact : &wide, most);
     for (size_t i = 0; i < count; i++) {
@@ -93,8 +93,8 @@ CASE(test_lists)
 /* From a tile to another tile: in a row, of rows, of layers, or any. */
 static void draw_share(random_source *r, const tile_case *c, size_t *from, size_t *to)
 {
-    const size_t count = tile_case_tiles(c), row = (tile_case_size(c)[0] + c->tile - 1) / c->tile,
-                 layer = row * ((tile_case_size(c)[1] + c->tile - 1) / c->tile);
+    const size_t count = tile_case_tiles(c), row = (c->of.grid.size[0] + c->tile - 1) / c->tile,
+                 layer = row * ((c->of.grid.size[1] + c->tile - 1) / c->tile);
     const size_t steps[] = {1, row, layer}, step = steps[random_int(r, 3)];
     const size_t most[] = {1, row, count};
     *from = random_below(r, count) / step * step;
@@ -108,7 +108,7 @@ CASE(test_shares)
     random_source r = random_named(args.seed, "shares of tiles");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         tile_case_draw(&r, tiles[1 + round % (sizeof tiles / sizeof tiles[0] - 1)], &drawn);
-        drawn.options.accuracy = TRIBOX_EXACT;
+        drawn.of.options.accuracy = TRIBOX_EXACT;
         tile_case_tell(&drawn, doing, sizeof doing);
         const tile_lists whole = tile_case_lists(&drawn, 0, tile_case_tiles(&drawn));
         for (int n = 0; n < 4; n++) {
@@ -312,7 +312,7 @@ static void check_parts(random_source *r, const tile_case *c, size_t from, size_
     const size_t length = whole.starts[to - from];
     const guarded pages = guarded_make(length ? length * sizeof(uint32_t) : 1);
     uint32_t *const list = guarded_tail(pages, length * sizeof *list);
-    draw_parts(r, tile_case_triangles(c), parts);
+    draw_parts(r, c->of.count, parts);
     for (int n = 0; n < PARTS; n++)
         count_part(c, from, to, &parts[n]);
     place_parts(parts, to - from, whole.starts);

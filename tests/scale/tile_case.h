@@ -2,21 +2,13 @@
 #ifndef TRIBOX_TESTS_TILE_CASE_H
 #define TRIBOX_TESTS_TILE_CASE_H
 
-#include "common/soup_or_mesh.h"
-#include "voxels/occupancy.h"
-#include "voxels/window_f64.h"
+#include "voxels/cells.h"
 
 enum { CASE_CELLS = 60000, CASE_CELLS_F64 = 3000, CASE_WORDS = CASE_CELLS };
 
 typedef struct tile_case {
-    bool is_double, is_mesh;
-    grid_planes at; /* of floats: the grid, the triangles, and these as a mesh */
-    triangle_list triangles;
-    float corners[TRIANGLE_LIST_MAX][3][3];
-    window_f64 window; /* of doubles */
-    const char *scene;
+    cells_case of; /* of floats, as a soup or as a mesh, or of doubles; the scene, the grid, the options */
     uint32_t tile;
-    tribox_options options;
 } tile_case;
 
 /*
@@ -28,14 +20,7 @@ void tile_case_draw(random_source *r, uint32_t tile, tile_case *c);
 /* For messages. */
 void tile_case_tell(const tile_case *c, char *text, size_t length);
 
-const uint32_t *tile_case_size(const tile_case *c);
-size_t tile_case_triangles(const tile_case *c);
 size_t tile_case_tiles(const tile_case *c);
-
-/* The triangles as they are asked about; or, of floats, always as a soup, which judges the mesh of them. */
-soup_or_mesh tile_case_asked(const tile_case *c);
-soup_or_mesh tile_case_judge(const tile_case *c);
-const tribox_grid *tile_case_grid(const tile_case *c);
 
 /* The calls. */
 tribox_status tile_case_list(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list);

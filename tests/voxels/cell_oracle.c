@@ -3,8 +3,11 @@
 #include <math.h>
 #include <string.h>
 
-/* Rounding in double stays below 2^-48 of the sum of the products' magnitudes; cubes of floats do not underflow. */
-static const double doubt = 0x1p-42;
+/*
+ * Rounding in double stays below 2^-48 of the sum of the products' magnitudes. Where a number is beyond `large`, or that sum is
+ * below `small`, products may overflow, or what underflows may count: cubes of floats do neither.
+ */
+static const double doubt = 0x1p-42, large = 0x1p300, small = 0x1p-600;
 
 static void set_edge_axis(cell_oracle *t, int number, int i, const double f[3])
 {
@@ -27,7 +30,7 @@ static void set_axes(cell_oracle *t)
     double f[3][3];
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            f[j][a] = (double)t->u[(j + 1) % 3][a] - t->u[j][a];
+            f[j][a] = t->u[(j + 1) % 3][a] - t->u[j][a];
     for (int i = 0; i < 3; i++) {
         t->axis[i][i] = 1;
         for (int j = 0; j < 3; j++)
@@ -39,7 +42,7 @@ static void set_axes(cell_oracle *t)
     set_plane_axis(t, f);
 }
 
-cell_oracle cell_oracle_make(const float u[3][3])
+cell_oracle cell_oracle_make(const double u[3][3])
 {
     cell_oracle t;
     memset(&t, 0, sizeof t);
@@ -50,13 +53,28 @@ cell_oracle cell_oracle_make(const float u[3][3])
             double at = 0, weight = 0;
             for (int a = 0; a < 3; a++) {
                 at += t.axis[k][a] * u[j][a];
-                weight += t.slack[k][a] * fabs((double)u[j][a]);
+                weight += t.slack[k][a] * fabs(u[j][a]);
             }
             t.least[k] = j == 0 || at < t.least[k] ? at : t.least[k];
             t.most[k] = j == 0 || at > t.most[k] ? at : t.most[k];
             t.weight[k] = fmax(t.weight[k], weight);
         }
     return t;
+}
+
+static bool is_moderate(const cell_oracle *t, const tribox_box *box)
+{
+    bool is = true;
+    for (int a = 0; a < 3; a++)
+        is = is && fmax(fabs(box->lo[a]), fabs(box->hi[a])) < large && fmax(fabs(t->least[a]), fabs(t->most[a])) < large;
+    return is;
+}
+
+static pair_f64 pair_of(const cell_oracle *t, const tribox_box *box)
+{
+    pair_f64 pair = {.box = *box};
+    memcpy(pair.u, t->u, sizeof pair.u);
+    return pair;
 }
 
 /* Below zero: the intervals on axis k overlap; above: they are apart. Zero where rounding leaves that open. */
@@ -67,10 +85,10 @@ static double gap_on_axis(const cell_oracle *t, const tribox_box *box, int k)
         const double lo = t->axis[k][a] * box->lo[a], hi = t->axis[k][a] * box->hi[a];
         least += lo < hi ? lo : hi;
         most += lo < hi ? hi : lo;
-        weight += t->slack[k][a] * (fabs((double)box->lo[a]) + fabs((double)box->hi[a]));
+        weight += t->slack[k][a] * (fabs(box->lo[a]) + fabs(box->hi[a]));
     }
     const double below = least - t->most[k], above = t->least[k] - most, gap = below > above ? below : above;
-    return fabs(gap) > doubt * weight ? gap : 0;
+    return fabs(gap) > doubt * weight && weight > small && is_moderate(t, box) ? gap : 0;
 }
 
 static unsigned group_of(int k)
@@ -91,9 +109,8 @@ bool cell_oracle_overlaps(const cell_oracle *t, const tribox_box *box, unsigned 
     }
     if (!is_open)
         return true;
-    pair_f32 pair = {.box = *box};
-    memcpy(pair.u, t->u, sizeof pair.u);
-    return oracle_overlaps(oracle_separating(&pair), groups);
+    const pair_f64 pair = pair_of(t, box);
+    return oracle_overlaps(oracle_separating_f64(&pair), groups);
 }
 
 static double tolerance_on_axis(const cell_oracle *t, int k, const double band[3])
@@ -123,4 +140,10 @@ bool cell_oracle_errs_within(const cell_oracle *t, const tribox_box *box, unsign
             return true;
     }
     return answer;
+}
+
+void cell_oracle_explain(FILE *out, const cell_oracle *t, const tribox_box *box)
+{
+    const pair_f64 pair = pair_of(t, box);
+    oracle_explain_f64(out, &pair);
 }

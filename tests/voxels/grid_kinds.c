@@ -2,7 +2,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "common/contact.h"
 
@@ -42,18 +41,13 @@ static void draw_size(random_source *r, uint32_t size[3])
     }
 }
 
-static void set_grid(tribox_grid *grid, double origin, double cell)
-{
-    for (int a = 0; a < 3; a++) {
-        grid->origin[a] = origin;
-        grid->cell[a] = cell;
-    }
-}
-
 static void draw_units(random_source *r, tribox_grid *grid)
 {
     (void)r;
-    set_grid(grid, 0, 1);
+    for (int a = 0; a < 3; a++) {
+        grid->origin[a] = 0;
+        grid->cell[a] = 1;
+    }
 }
 
 /* Every plane is exact; so are lattice vertices, and there are many ties. */
@@ -93,9 +87,9 @@ static void draw_any(random_source *r, tribox_grid *grid)
 {
     const bool is_float = random_int(r, 2);
     for (int a = 0; a < 3; a++) {
-        const double cell = random_double(r, 0.4, 2.5), origin = random_double(r, -50, 20);
+        const double cell = random_double(r, 0.4, 2.5), from = random_double(r, -50, 20);
         grid->cell[a] = is_float ? nearest_float(cell) : cell;
-        grid->origin[a] = is_float ? nearest_float(origin) : origin;
+        grid->origin[a] = is_float ? nearest_float(from) : from;
     }
 }
 
@@ -220,47 +214,159 @@ static void draw_one_cell(random_source *r, tribox_grid *grid)
     grid->size[0] = grid->size[1] = grid->size[2] = 1;
 }
 
-static const grid_kind kinds[] = {
-    {"units", draw_units, true},
-    {"dyadic", draw_dyadic, true},
-    {"nearly dyadic", draw_nearly_dyadic, true},
-    {"tenths", draw_tenths, true},
-    {"any", draw_any, true},
-    {"about zero", draw_about_zero, true},
-    {"far", draw_far, true},
-    {"offset", draw_offset, true},
-    {"own lengths", draw_own_lengths, true},
-    {"tiny", draw_tiny, false},
-    {"huge", draw_huge, false},
-    {"scaled", draw_scaled, true},
-    {"brink", draw_brink, true},
-    {"subnormal", draw_subnormal, false},
-    {"mixed", draw_mixed, false},
-    {"range", draw_ends_of_range, false},
-    {"beyond floats", draw_beyond_floats, false},
-    {"one cell", draw_one_cell, true},
-};
+/* Of doubles. */
 
-size_t grid_kind_count(void) { return sizeof kinds / sizeof kinds[0]; }
-
-const grid_kind *grid_kind_at(size_t i) { return &kinds[i]; }
-
-void draw_grid_of_size(random_source *r, const grid_kind *kind, const uint32_t size[3], grid_planes *l)
+static void draw_far_from_origin(random_source *r, tribox_grid *grid)
 {
-    tribox_grid grid;
-    do {
-        memcpy(grid.size, size, sizeof grid.size);
-        kind->draw(r, &grid);
-    } while (!grid_planes_make(l, &grid));
+    static const double cells[] = {0.5, 0.1, 0.0625, 1e-3, 1e-5};
+    const double cell = cells[random_int(r, 5)];
+    for (int a = 0; a < 3; a++) {
+        grid->origin[a] = random_double(r, -1e7, 1e7);
+        grid->cell[a] = cell;
+    }
 }
 
-void draw_grid_of_kind(random_source *r, const grid_kind *kind, size_t cells, grid_planes *l)
+/* Cells of few spacings of doubles, down to one. */
+static void draw_geocentric(random_source *r, tribox_grid *grid)
 {
-    do {
-        tribox_grid grid;
-        draw_size(r, grid.size);
-        kind->draw(r, &grid);
-        if ((size_t)grid.size[0] * grid.size[1] * grid.size[2] <= cells && grid_planes_make(l, &grid))
+    static const double at[3] = {4.1e6, -1.13e6, 4.74e6};
+    for (int a = 0; a < 3; a++) {
+        grid->origin[a] = at[a] + random_double(r, -1000, 1000);
+        grid->cell[a] = 1e-9 * random_int_between(r, 1, 9);
+    }
+}
+
+static void draw_mercator(random_source *r, tribox_grid *grid)
+{
+    static const double at[3] = {1.49e6, 6.89e6, 120};
+    for (int a = 0; a < 3; a++) {
+        grid->origin[a] = at[a] + random_double(r, -500, 500);
+        grid->cell[a] = a == 2 ? 0.05 : 0.01;
+    }
+}
+
+static double draw_number(random_source *r) { return (random_int(r, 2) ? 1 : -1) * random_double(r, 1, 2); }
+
+static void draw_lengths(random_source *r, tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++) {
+        grid->cell[a] = fabs(ldexp(draw_number(r), random_int_between(r, -60, 60)));
+        grid->origin[a] = grid->cell[a] * random_double(r, -1e6, 1e6);
+    }
+}
+
+static void draw_exponents(random_source *r, tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++) {
+        const int exponent = random_int_between(r, -1070, 1010);
+        grid->cell[a] = fabs(ldexp(draw_number(r), exponent));
+        grid->origin[a] = random_int(r, 2) ? ldexp(draw_number(r), random_int_between(r, -1074, exponent + 10))
+                                           : grid->cell[a] * random_double(r, -100, 100);
+    }
+}
+
+static void draw_huge_doubles(random_source *r, tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++) {
+        grid->origin[a] = -random_double(r, 0, 1) * DBL_MAX;
+        grid->cell[a] = random_double(r, 0.001, 0.1) * DBL_MAX;
+    }
+}
+
+static void draw_subnormal_doubles(random_source *r, tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++) {
+        grid->origin[a] = random_int_between(r, -100, 100) * 0x1p-1074;
+        grid->cell[a] = random_int_between(r, 1, 50) * 0x1p-1074;
+    }
+}
+
+/* Planes next to each other, or nearly. */
+static void draw_spacings(random_source *r, tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++) {
+        const double from = ldexp(draw_number(r), random_int_between(r, -20, 20)), spacing = nextafter(from, INFINITY) - from;
+        grid->origin[a] = from;
+        grid->cell[a] = spacing * (random_int(r, 2) ? random_int_between(r, 1, 6) : random_double(r, 1, 10));
+    }
+}
+
+static const grid_kind kinds[] = {
+    {"units", draw_units, true, false},
+    {"dyadic", draw_dyadic, true, false},
+    {"nearly dyadic", draw_nearly_dyadic, true, false},
+    {"tenths", draw_tenths, true, false},
+    {"any", draw_any, true, false},
+    {"about zero", draw_about_zero, true, false},
+    {"far", draw_far, true, false},
+    {"offset", draw_offset, true, false},
+    {"own lengths", draw_own_lengths, true, false},
+    {"tiny", draw_tiny, false, false},
+    {"huge", draw_huge, false, false},
+    {"scaled", draw_scaled, true, false},
+    {"brink", draw_brink, true, false},
+    {"subnormal", draw_subnormal, false, false},
+    {"mixed", draw_mixed, false, false},
+    {"range", draw_ends_of_range, false, false},
+    {"beyond floats", draw_beyond_floats, false, false},
+    {"one cell", draw_one_cell, true, false},
+    {"plain doubles", draw_tenths, false, true},
+    {"dyadic doubles", draw_dyadic, false, true},
+    {"offset doubles", draw_far_from_origin, false, true},
+    {"geocentric", draw_geocentric, false, true},
+    {"mercator", draw_mercator, false, true},
+    {"lengths", draw_lengths, false, true},
+    {"exponents", draw_exponents, false, true},
+    {"huge doubles", draw_huge_doubles, false, true},
+    {"subnormal doubles", draw_subnormal_doubles, false, true},
+    {"spacings", draw_spacings, false, true},
+};
+enum { KINDS = sizeof kinds / sizeof kinds[0], OF_DOUBLES = 10 };
+
+size_t grid_kind_count(void) { return KINDS; }
+size_t grid_kind_floats(void) { return KINDS - OF_DOUBLES; }
+const grid_kind *grid_kind_at(size_t i) { return &kinds[i]; }
+
+/* By definition: sizes here are small. */
+static bool has_rising_planes(const tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++)
+        for (uint32_t p = 0; p <= grid->size[a]; p++)
+            if (!isfinite(cells_plane(grid, a, p)) || (p && !(cells_plane(grid, a, p) > cells_plane(grid, a, p - 1.0))))
+                return false;
+    return true;
+}
+
+static bool draw_grid(random_source *r, const grid_kind *kind, cells_case *c)
+{
+    c->scene = kind->name;
+    c->is_double = kind->is_double;
+    c->form = kind->is_double ? DOUBLES : SOUP;
+    c->count = 0;
+    kind->draw(r, &c->grid);
+    cells_open(c);
+    return has_rising_planes(&c->grid);
+}
+
+void draw_grid_of_size(random_source *r, const grid_kind *kind, const uint32_t size[3], cells_case *c)
+{
+    do
+        memcpy(c->grid.size, size, sizeof c->grid.size);
+    while (!draw_grid(r, kind, c));
+}
+
+void draw_grid_of_kind(random_source *r, const grid_kind *kind, size_t most, cells_case *c)
+{
+    uint32_t *const size = c->grid.size;
+    /* Places far along x count most for what float rounds. */
+    for (int trial = kind->is_double && most > 1000 && !random_int(r, 6) ? 5 : 0; trial > 0; trial--) {
+        size[0] = size_between(r, 20000, 60000);
+        size[1] = size_between(r, 1, 2);
+        size[2] = size_between(r, 1, 2);
+        if (draw_grid(r, kind, c))
             return;
-    } while (true);
+    }
+    do
+        draw_size(r, size);
+    while ((size_t)size[0] * size[1] * size[2] > most || !draw_grid(r, kind, c) || (size_t)size[0] * size[1] * size[2] > most);
 }

@@ -2,7 +2,7 @@
  * test_grid.c - the planes of a grid are those of C's fma, its cells what lies between them, to the bit; sizes in words saturate;
  * and a grid is served if and only if its planes rise.
  */
-#include "occupancy.h"
+#include "cells.h"
 
 #include <float.h>
 #include <math.h>
@@ -12,7 +12,7 @@
 
 enum { CELLS_MAX = 8000, PAIRS_A_ROUND = 100000 };
 
-static grid_planes at;
+static cells_case drawn;
 
 static bool has_bits_of(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
 
@@ -29,19 +29,19 @@ CASE(test_cells)
 {
     random_source r = random_named(args.seed, "cells");
     for (size_t round = 0; round < 30 * grid_kind_count(); round++) {
-        draw_grid_of_kind(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
+        draw_grid_of_kind(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &drawn);
         for (int n = 0; n < 200; n++) {
-            int cell[3];
+            uint32_t cell[3];
             for (int a = 0; a < 3; a++)
-                cell[a] = random_int(&r, (int)at.grid.size[a]);
-            const tribox_box box = tribox_grid_cell(&at.grid, (uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]);
-            const tribox_box expected = grid_planes_cell(&at, cell[0], cell[1], cell[2]);
+                cell[a] = (uint32_t)random_below(&r, drawn.grid.size[a]);
+            const tribox_box box = tribox_grid_cell(&drawn.grid, cell[0], cell[1], cell[2]);
+            const tribox_box expected = cells_box(&drawn, cell);
             assert_boxes_equal(&box, &expected);
             for (int a = 0; a < 3; a++) {
-                uint32_t next[3] = {(uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]};
-                if (++next[a] == at.grid.size[a])
+                uint32_t next[3] = {cell[0], cell[1], cell[2]};
+                if (++next[a] == drawn.grid.size[a])
                     continue;
-                const tribox_box neighbour = tribox_grid_cell(&at.grid, next[0], next[1], next[2]);
+                const tribox_box neighbour = tribox_grid_cell(&drawn.grid, next[0], next[1], next[2]);
                 assert_true(has_bits_of(box.hi[a], neighbour.lo[a]));
             }
         }

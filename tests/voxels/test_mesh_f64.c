@@ -4,61 +4,49 @@
  */
 #include <math.h>
 
-#include "occupancy.h"
+#include "cells.h"
 
 #include "common/harness.h"
-#include "common/soup_or_mesh.h"
 #include "common/real_meshes.h"
 #include "doubles/laid_mesh.h"
-#include "triangle_kinds.h"
 
 enum { CELLS_MAX = 20000, ROUNDS = 60, LAYOUTS = 14, PAIRS_A_ROUND = 100000 };
 
-static grid_planes at;
-static triangle_list triangles;
+static cells_case drawn;
 static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
 
 /* Numbers on a lattice, so that they can be moved without rounding: cells of 1/8, and of vertices those beside them. */
 static void draw_lattice_mesh(random_source *r)
 {
     const tribox_grid grid = {{-2, 3, 1}, {0.125, 0.125, 0.125}, {40, 25, 20}};
-    assert_true(grid_planes_make(&at, &grid));
-    triangles.count = 0;
+    drawn.grid = grid;
+    cells_open(&drawn);
+    drawn.count = 0;
     const int count = random_int_between(r, 1, 400);
-    while (triangles.count < (size_t)count) {
+    while (drawn.count < (size_t)count) {
         const double length = random_int(r, 3) ? 0.4 : random_int(r, 2) ? 1.5 : 9;
-        float u[3][3];
+        double u[3][3];
         for (int a = 0; a < 3; a++) {
             const double from = grid.origin[a] + random_double(r, -0.5, 5.5);
             for (int j = 0; j < 3; j++) {
                 const double x = from + random_double(r, 0, length), step = random_int(r, 2) ? 0.125 : 0x1p-10;
-                u[j][a] = (float)(floor(x / step) * step);
+                u[j][a] = floor(x / step) * step;
             }
         }
-        triangle_list_put(&triangles, (const_vertices)u);
+        cells_put(&drawn, u);
     }
-    memset(expected, 0, at.words * sizeof *expected);
-    const tribox_soup soup = triangle_list_soup(&triangles);
-    assert_int_equal(tribox_voxelize(&soup, &grid, NULL, NULL, expected, NULL), TRIBOX_OK);
+    cells_ask(&drawn, 0, drawn.count, expected);
 }
 
-static double moved[TRIANGLE_LIST_MAX][3][3];
+static double moved[CELLS_TRIANGLES][3][3];
 
-static void move_triangles(const double offset[3])
+static tribox_grid move(const double offset[3])
 {
-    for (size_t t = 0; t < triangles.count; t++)
-        for (int n = 0; n < 9; n++)
-            moved[t][n / 3][n % 3] = (double)triangles.coordinate[n / 3][n % 3][t] + offset[n % 3];
-}
-
-static tribox_grid moved_grid(const double offset[3])
-{
-    tribox_grid grid;
-    for (int a = 0; a < 3; a++) {
-        grid.origin[a] = (double)at.grid.origin[a] + offset[a];
-        grid.cell[a] = (double)at.grid.cell[a];
-        grid.size[a] = at.grid.size[a];
-    }
+    tribox_grid grid = drawn.grid;
+    for (int a = 0; a < 3; a++)
+        grid.origin[a] += offset[a];
+    for (size_t n = 0; n < 9 * drawn.count; n++)
+        moved[n / 9][n / 3 % 3][n % 3] = drawn.u[n / 9][n / 3 % 3][n % 3] + offset[n % 3];
     return grid;
 }
 
@@ -67,7 +55,7 @@ static void check_mesh(const tribox_mesh *laid, const tribox_grid *grid, const c
     const tribox_options options = {.kernel = kernel};
     memset(occupied, 0, sizeof occupied);
     assert_int_equal(tribox_mesh_voxelize(laid, grid, NULL, &options, occupied, NULL), TRIBOX_OK);
-    assert_memory_equal(occupied, expected, at.words * sizeof *occupied);
+    assert_memory_equal(occupied, expected, cells_words(&drawn) * sizeof *occupied);
 }
 
 CASE(test_layouts)
@@ -80,11 +68,10 @@ CASE(test_layouts)
         draw_lattice_mesh(&r);
         for (int k = 0; k < LAYOUTS; k++) {
             const double *const offset = far[k % 4];
-            const tribox_grid grid = moved_grid(offset);
+            const tribox_grid grid = move(offset);
             const mesh_form form = mesh_form_draw(&r, k % 4 == 0);
-            move_triangles(offset);
-            const tribox_mesh laid = laid_mesh_of(&r, &form, (const double(*)[3][3])moved, triangles.count,
-                                                  permutations[random_int(&r, ORDERS)], fences);
+            const tribox_mesh laid =
+                laid_mesh_of(&r, &form, (const double(*)[3][3])moved, drawn.count, permutations[random_int(&r, ORDERS)], fences);
             check_mesh(&laid, &grid, names[random_int(&r, kernels)]);
         }
     }
@@ -164,7 +151,7 @@ CASE(test_bunny)
     }
     const tribox_mesh utm = mesh_of_corners(u, m.count, 8);
     const size_t words = (size_t)((grid.size[0] + 63) / 64) * grid.size[1] * grid.size[2];
-    uint64_t *const cells = occupancy_make(words);
+    uint64_t *const cells = cells_make(words);
     tribox_report report;
     assert_int_equal(tribox_mesh_voxelize(&utm, &grid, NULL, NULL, cells, &report), TRIBOX_OK);
     printf("%u x %u x %u cells, %zu set\n", (unsigned)grid.size[0], (unsigned)grid.size[1], (unsigned)grid.size[2],

@@ -1,0 +1,346 @@
+#include "cells.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "cell_oracle.h"
+#include "common/contact.h"
+#include "common/guard.h"
+#include "common/harness.h"
+#include "common/window_bits.h"
+
+static const double band_of_cell = 0x1p-7, band_of_distance = 0x1p-40, band_of_planes = 4;
+
+void cells_open(cells_case *c) { c->at = (tribox_window){{0, 0, 0}, {c->grid.size[0], c->grid.size[1], c->grid.size[2]}}; }
+
+void cells_draw_window(cells_case *c, random_source *r)
+{
+    for (int a = 0; a < 3; a++) {
+        c->at.first[a] = (uint32_t)random_below(r, c->grid.size[a]);
+        c->at.size[a] = (uint32_t)random_below(r, c->grid.size[a] - c->at.first[a]) + 1;
+    }
+}
+
+size_t cells_words(const cells_case *c) { return tribox_window_words(c->at.size); }
+
+double cells_plane(const tribox_grid *grid, int a, double p) { return fma(p, grid->cell[a], grid->origin[a]); }
+
+double cells_place(const cells_case *c, int a, double p)
+{
+    const double place = cells_plane(&c->grid, a, p);
+    return !c->is_double ? (double)nearest_float(place) : fabs(place) <= DBL_MAX ? place : copysign(DBL_MAX, place);
+}
+
+tribox_box cells_box(const cells_case *c, const uint32_t at[3])
+{
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = cells_plane(&c->grid, a, (double)c->at.first[a] + at[a]);
+        box.hi[a] = cells_plane(&c->grid, a, (double)c->at.first[a] + at[a] + 1);
+    }
+    return box;
+}
+
+void cells_put(cells_case *c, double u[3][3])
+{
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++) {
+            c->narrow[c->count][j][a] = c->stream[3 * a + j][c->count] = (float)u[j][a];
+            c->u[c->count][j][a] = c->is_double ? u[j][a] : (double)(float)u[j][a];
+        }
+    c->count += c->count < CELLS_TRIANGLES - 1;
+}
+
+static soup_or_mesh part_in_form(const cells_case *c, cells_form in, size_t first, size_t count, const int vertex[3])
+{
+    static uint32_t indices[3 * CELLS_TRIANGLES];
+    const bool is_wide = c->is_double || in == DOUBLES;
+    soup_or_mesh of = {.soup = {.count = count}, .is_mesh = is_wide || in != SOUP};
+    for (int v = 0; v < 3; v++) {
+        of.soup.x[v] = c->stream[vertex[v]] + first;
+        of.soup.y[v] = c->stream[3 + vertex[v]] + first;
+        of.soup.z[v] = c->stream[6 + vertex[v]] + first;
+    }
+    of.mesh = mesh_of_corners(is_wide ? (const void *)(c->u + first) : c->narrow + first, count, is_wide ? 8 : 4);
+    if (in == INDEXED && !is_wide) {
+        for (uint32_t n = 0; n < 3 * CELLS_TRIANGLES && !indices[1]; n++)
+            indices[3 * CELLS_TRIANGLES - 1 - n] = 3 * CELLS_TRIANGLES - 1 - n;
+        of.mesh = mesh_of_corners(c->narrow, c->count, 4);
+        of.mesh.indices = indices + 3 * first;
+        of.mesh.index_bytes = 4;
+        of.mesh.count = count;
+    }
+    return of;
+}
+
+soup_or_mesh cells_part(const cells_case *c, size_t first, size_t count, const int vertex[3])
+{
+    return part_in_form(c, c->form, first, count, vertex);
+}
+
+soup_or_mesh cells_all(const cells_case *c) { return cells_part(c, 0, c->count, permutations[0]); }
+
+uint64_t *cells_make(size_t words)
+{
+    uint64_t *const occupied = calloc(words ? words : 1, sizeof *occupied);
+    assert_non_null(occupied);
+    return occupied;
+}
+
+size_t cells_count(const uint64_t *occupied, size_t words)
+{
+    size_t count = 0;
+    for (size_t w = 0; w < words; w++)
+        count += (size_t)__builtin_popcountll(occupied[w]);
+    return count;
+}
+
+/* Cells of the window, from `first` to before `end`. */
+typedef struct block {
+    uint32_t first[3], end[3];
+} block;
+
+/* Those of an axis that the triangle's bounding box touches, each plane looked at, and one more on each side. */
+static bool touch(const cells_case *c, size_t t, int a, block *b)
+{
+    const double(*const u)[3] = c->u[t];
+    const double least = fmin(fmin(u[0][a], u[1][a]), u[2][a]), most = fmax(fmax(u[0][a], u[1][a]), u[2][a]);
+    double above = cells_plane(&c->grid, a, c->at.first[a]);
+    b->first[a] = c->at.size[a];
+    b->end[a] = 0;
+    for (uint32_t n = 0; n < c->at.size[a]; n++) {
+        const double below = above;
+        above = cells_plane(&c->grid, a, (double)c->at.first[a] + n + 1);
+        if (below > most || above < least)
+            continue;
+        b->first[a] = n < b->first[a] ? n : b->first[a];
+        b->end[a] = n + 1;
+    }
+    if (!b->end[a])
+        return false;
+    b->first[a] -= b->first[a] > 0;
+    b->end[a] += b->end[a] < c->at.size[a];
+    return true;
+}
+
+static bool is_finite(const cells_case *c, size_t t)
+{
+    for (int n = 0; n < 9; n++)
+        if (!isfinite(c->u[t][n / 3][n % 3]))
+            return false;
+    return true;
+}
+
+static bool block_of(const cells_case *c, size_t t, unsigned axes, block *b)
+{
+    *b = (block){.end = {c->at.size[0], c->at.size[1], c->at.size[2]}};
+    return is_finite(c, t) && (!(axes & TRIBOX_AXES_BOX) || (touch(c, t, 0, b) && touch(c, t, 1, b) && touch(c, t, 2, b)));
+}
+
+size_t cells_cost(const cells_case *c, size_t t, unsigned axes)
+{
+    block b;
+    return block_of(c, t, axes, &b) ? (size_t)(b.end[0] - b.first[0]) * (b.end[1] - b.first[1]) * (b.end[2] - b.first[2]) : 0;
+}
+
+size_t cells_expect(const cells_case *c, size_t first, size_t count, unsigned axes, uint64_t *occupied)
+{
+    size_t asked = 0;
+    memset(occupied, 0, cells_words(c) * sizeof *occupied);
+    for (size_t t = first; t < first + count; t++) {
+        block b;
+        uint32_t at[3];
+        if (!block_of(c, t, axes, &b))
+            continue;
+        const cell_oracle triangle = cell_oracle_make(c->u[t]);
+        for (at[2] = b.first[2]; at[2] < b.end[2]; at[2]++)
+            for (at[1] = b.first[1]; at[1] < b.end[1]; at[1]++)
+                for (at[0] = b.first[0]; at[0] < b.end[0]; at[0]++) {
+                    const tribox_box box = cells_box(c, at);
+                    if (window_bit(c->at.size, occupied, at[0], at[1], at[2]))
+                        continue;
+                    asked++;
+                    if (cell_oracle_overlaps(&triangle, &box, axes))
+                        window_put(c->at.size, occupied, at[0], at[1], at[2], true);
+                }
+    }
+    return asked;
+}
+
+void cells_cut(const cells_case *c, const uint64_t *whole, uint64_t *occupied)
+{
+    const tribox_window *const w = &c->at;
+    memset(occupied, 0, cells_words(c) * sizeof *occupied);
+    for (uint32_t k = 0; k < w->size[2]; k++)
+        for (uint32_t j = 0; j < w->size[1]; j++)
+            for (uint32_t i = 0; i < w->size[0]; i++)
+                window_put(w->size, occupied, i, j, k,
+                           window_bit(c->grid.size, whole, w->first[0] + i, w->first[1] + j, w->first[2] + k));
+}
+
+static void tell(const cells_case *c, size_t first, size_t count)
+{
+    static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
+    int length = snprintf(doing, sizeof doing, "%s, triangles %zu + %zu of %zu, form %d, %s, axes %u, kernel %s, cells", c->scene,
+                          first, count, c->count, (int)c->form, accuracy[c->options.accuracy], c->options.axes,
+                          c->options.kernel ? c->options.kernel : "of the library's choice");
+    for (int a = 0; a < 3 && length < (int)sizeof doing; a++)
+        length += snprintf(doing + length, sizeof doing - (size_t)length, " %u + %u of %u", (unsigned)c->at.first[a],
+                           (unsigned)c->at.size[a], (unsigned)c->grid.size[a]);
+}
+
+/* The bits of a word that are no cells. */
+static uint64_t past_row(const cells_case *c, size_t word)
+{
+    const uint32_t rest = c->at.size[0] % 64;
+    return rest && (word + 1) % window_row(c->at.size) == 0 ? ~UINT64_C(0) << rest : 0;
+}
+
+/* Against the page before and the page after in turn; pages are kept, so that calls without many words cost little. */
+static size_t add(const cells_case *c, cells_form in, size_t first, size_t count, uint64_t *occupied)
+{
+    static guarded pages;
+    static bool is_after;
+    const soup_or_mesh of = part_in_form(c, in, first, count, permutations[0]);
+    const size_t words = cells_words(c), bytes = words * sizeof *occupied;
+    tribox_report report = {SIZE_MAX, SIZE_MAX};
+    if (pages.size < bytes || !pages.first) {
+        if (pages.first)
+            guarded_free(pages);
+        pages = guarded_make(bytes ? bytes : 1);
+    }
+    is_after = !is_after;
+    uint64_t *const to = is_after ? guarded_tail(pages, bytes) : (void *)pages.first;
+    memcpy(to, occupied, bytes);
+    tell(c, first, count);
+    assert_int_equal(CALL(voxelize, &of, &c->grid, &c->at, &c->options, to, &report), TRIBOX_OK);
+    for (size_t w = 0; w < words; w++)
+        if ((occupied[w] & ~to[w]) | (to[w] & ~occupied[w] & past_row(c, w)))
+            fail_msg("%s: word %zu was %#llx and is %#llx", doing, w, (unsigned long long)occupied[w], (unsigned long long)to[w]);
+    assert_int_equal(report.overlapping, cells_count(to, words) - cells_count(occupied, words));
+    memcpy(occupied, to, bytes);
+    return report.overlapping;
+}
+
+/* A mesh of the same floats has the same bits at every accuracy, and EXACT one of doubles. */
+size_t cells_add(const cells_case *c, size_t first, size_t count, uint64_t *occupied)
+{
+    enum { WORDS_MAX = 20000 };
+    static uint64_t before[WORDS_MAX], same[WORDS_MAX];
+    const size_t words = cells_words(c), bytes = words * sizeof *occupied;
+    if (c->is_double || c->form != SOUP || words > WORDS_MAX)
+        return add(c, c->form, first, count, occupied);
+    memcpy(before, occupied, bytes);
+    const size_t set = add(c, SOUP, first, count, occupied);
+    for (cells_form in = MESH; in <= (c->options.accuracy ? MESH : DOUBLES); in += DOUBLES - MESH) {
+        memcpy(same, before, bytes);
+        add(c, in, first, count, same);
+        if (memcmp(same, occupied, bytes))
+            fail_msg("%s: form %d has other bits than the soup", doing, (int)in);
+    }
+    return set;
+}
+
+void cells_ask(const cells_case *c, size_t first, size_t count, uint64_t *occupied)
+{
+    memset(occupied, 0, cells_words(c) * sizeof *occupied);
+    cells_add(c, first, count, occupied);
+}
+
+static unsigned axes_of(const cells_case *c) { return c->options.axes ? c->options.axes : TRIBOX_AXES_ALL; }
+
+static void fail_cell(const cells_case *c, size_t first, size_t count, const uint32_t at[3], bool answer, const char *why)
+{
+    const tribox_box box = cells_box(c, at);
+    tell(c, first, count);
+    fprintf(stderr, "tribox_voxelize %s cell %u %u %u of the window: %s\n  %s, seed %llu\n", answer ? "sets" : "does not set",
+            (unsigned)at[0], (unsigned)at[1], (unsigned)at[2], why, doing, (unsigned long long)args.seed);
+    for (int a = 0; a < 3; a++)
+        fprintf(stderr, "  %c   origin %a, cell %a\n", "xyz"[a], c -> grid.origin[a], c->grid.cell[a]);
+    for (size_t t = first; t < first + count; t++) {
+        const cell_oracle triangle = cell_oracle_make(c->u[t]);
+        const bool is_one = is_finite(c, t) && cell_oracle_overlaps(&triangle, &box, axes_of(c));
+        if (is_one || count == 1)
+            cell_oracle_explain(stderr, &triangle, &box);
+    }
+    fail_msg("a cell of scene %s is wrong", c->scene);
+}
+
+/* The next cell whose bits differ, from *word on; false if there is none. */
+static bool next_difference(const cells_case *c, const uint64_t *a, const uint64_t *b, size_t *word, uint64_t *seen, uint32_t at[3])
+{
+    for (; *word < cells_words(c); ++*word, *seen = 0) {
+        const uint64_t rest = (a[*word] ^ b[*word]) & ~*seen;
+        if (!rest)
+            continue;
+        const size_t row = *word / window_row(c->at.size);
+        const int bit = __builtin_ctzll(rest);
+        *seen |= UINT64_C(1) << bit;
+        at[0] = (uint32_t)(*word % window_row(c->at.size) * 64) + (uint32_t)bit;
+        at[1] = (uint32_t)(row % c->at.size[1]);
+        at[2] = (uint32_t)(row / c->at.size[1]);
+        return true;
+    }
+    return false;
+}
+
+void cells_check(const cells_case *c, size_t first, size_t count, const uint64_t *expected, const uint64_t *occupied)
+{
+    size_t word = 0;
+    uint64_t seen = 0;
+    uint32_t at[3];
+    while ((c->is_double || c->options.accuracy != TRIBOX_FAST) && next_difference(c, expected, occupied, &word, &seen, at)) {
+        const bool is_set = window_bit(c->at.size, occupied, at[0], at[1], at[2]);
+        if (!is_set || c->options.accuracy == TRIBOX_EXACT)
+            fail_cell(c, first, count, at, is_set, "the oracle says otherwise");
+    }
+}
+
+/* At least the spacing of floats at a number. */
+static double spacing_at(double number) { return 0x1p-23 * number + 0x1p-149; }
+
+static void set_band(const cells_case *c, const tribox_box *box, size_t t, double band[3])
+{
+    for (int a = 0; a < 3; a++) {
+        const double farthest = fmax(fabs(cells_plane(&c->grid, a, 0)), fabs(cells_plane(&c->grid, a, c->grid.size[a])));
+        double distance = 0;
+        for (int j = 0; j < 3; j++)
+            distance = fmax(distance, fmax(fabs(c->u[t][j][a] - box->lo[a]), fabs(c->u[t][j][a] - box->hi[a])));
+        band[a] = band_of_cell * (box->hi[a] - box->lo[a]) + band_of_distance * distance + band_of_planes * spacing_at(farthest);
+    }
+}
+
+/* Whether some triangle excuses that the cell is set, or all that overlap it that it is not. */
+static bool is_excused(const cells_case *c, const uint32_t at[3], bool answer)
+{
+    const tribox_box box = cells_box(c, at);
+    for (size_t t = 0; t < c->count; t++) {
+        double band[3];
+        if (!is_finite(c, t))
+            continue;
+        set_band(c, &box, t, band);
+        const cell_oracle triangle = cell_oracle_make(c->u[t]);
+        if (!answer && !cell_oracle_overlaps(&triangle, &box, axes_of(c)))
+            continue;
+        if (cell_oracle_errs_within(&triangle, &box, axes_of(c), band, answer) == answer)
+            return answer;
+    }
+    return !answer;
+}
+
+void cells_check_band(const cells_case *c, const uint64_t *exact, const uint64_t *occupied, tally *count)
+{
+    size_t word = 0;
+    uint64_t seen = 0;
+    uint32_t at[3];
+    count->asked += cells_count(exact, cells_words(c));
+    while (next_difference(c, exact, occupied, &word, &seen, at)) {
+        const bool is_missed = window_bit(c->at.size, exact, at[0], at[1], at[2]);
+        count->missed += is_missed;
+        count->extra += !is_missed;
+        if (is_missed && c->options.accuracy == TRIBOX_CONSERVATIVE)
+            fail_cell(c, 0, c->count, at, false, "CONSERVATIVE never misses");
+        if (!is_excused(c, at, !is_missed))
+            fail_cell(c, 0, c->count, at, !is_missed, "that is farther from contact than the stated band");
+    }
+}
