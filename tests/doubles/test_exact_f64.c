@@ -5,7 +5,7 @@
 #include "common/harness.h"
 #include "common/ask.h"
 #include "common/oracle_f64.h"
-#include "laid_mesh.h"
+#include "common/laid_mesh.h"
 
 #include "scenes_f64.h"
 

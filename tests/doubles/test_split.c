@@ -8,7 +8,7 @@
 
 #include "common/harness.h"
 #include "common/scenes.h"
-#include "laid_mesh.h"
+#include "common/laid_mesh.h"
 #include "scenes_f64.h"
 
 enum { TRIANGLES = 100, LISTED_MOST = 2100 };

@@ -4,7 +4,7 @@
 
 #include "common/harness.h"
 #include "common/soup_or_mesh.h"
-#include "fences.h"
+#include "common/fences.h"
 
 form_fences form_fences_make(size_t triangles, size_t boxes)
 {

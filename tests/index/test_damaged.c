@@ -3,7 +3,7 @@
  * and answers may be wrong but are answers. A copy anywhere answers as the index does.
  */
 #include "common/harness.h"
-#include "fences.h"
+#include "common/fences.h"
 #include "hostile.h"
 #include "index_fixture.h"
 

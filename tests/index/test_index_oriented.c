@@ -6,7 +6,7 @@
 
 #include "common/harness.h"
 #include "common/contact.h"
-#include "fences.h"
+#include "common/fences.h"
 #include "hostile.h"
 #include "index_fixture.h"
 #include "oriented_scenes.h"

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "common/harness.h"
-#include "fences.h"
+#include "common/fences.h"
 #include "hostile.h"
 #include "index_fixture.h"
 #include "index/local_bounds.h"

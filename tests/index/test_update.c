@@ -5,7 +5,7 @@
 #include <pthread.h>
 
 #include "common/harness.h"
-#include "fences.h"
+#include "common/fences.h"
 #include "hostile.h"
 #include "stored_mesh.h"
 

@@ -1,11 +1,12 @@
 /* test_bad_indices.c - an index that names no vertex is reported, counted and found wherever it stands, and nothing is written. */
-#include "common/harness.h"
-#include "dispatch.h"
-#include "fences.h"
-#include "mesh_layout.h"
+#include "common/fences.h"
 #include "common/guarded_pages.h"
+#include "common/harness.h"
+#include "common/laid_mesh.h"
+#include "dispatch.h"
 
-static mesh_fences fences;
+static laid_fences fences;
+static guarded stream_fence[9], mask_fence;
 
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}}, far = {{1e37f, 1e37f, 1e37f}, {2e37f, 2e37f, 2e37f}};
 
@@ -14,8 +15,8 @@ static const tribox_oriented_box turned = {{0, 0, 0}, {1, 1, 1}, {{1, 0, 0}, {0,
 
 static void say(const char *call, const char *kernel, const tribox_mesh *mesh)
 {
-    char text[MESH_TEXT];
-    snprintf(doing, sizeof doing, "%s, %s, %s", call, kernel, mesh_text(mesh, text));
+    char text[LAID_TEXT];
+    snprintf(doing, sizeof doing, "%s, %s, %s", call, kernel, laid_mesh_text(mesh, text));
 }
 
 static void expect_refusal(tribox_status status)
@@ -28,7 +29,7 @@ static tribox_status make_streams(const tribox_mesh *mesh, size_t first, size_t 
 {
     float *to[9];
     for (int s = 0; s < 9; s++) {
-        stream[s] = fenced_place(fences.stream[s], count * sizeof(float), AT_END);
+        stream[s] = fenced_place(stream_fence[s], count * sizeof(float), AT_END);
         to[s] = (float *)(void *)stream[s].at;
     }
     say("tribox_mesh_to_soup", kernel, mesh);
@@ -55,7 +56,7 @@ static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
 {
     static const tribox_report poison = {12345, 67890};
     tribox_report report = poison;
-    const fenced mask = fenced_place(fences.mask, tribox_mask_words(mesh->count) * sizeof(uint64_t), AT_END);
+    const fenced mask = fenced_place(mask_fence, tribox_mask_words(mesh->count) * sizeof(uint64_t), AT_END);
     say("tribox_mesh_overlap", kernel, mesh);
     expect_refusal(tribox_mesh_overlap(mesh, &cube, &(tribox_options){.kernel = kernel}, (uint64_t *)(void *)mask.at, &report));
     assert_nothing_written(&mask);
@@ -82,8 +83,8 @@ static void check_found(const tribox_mesh *mesh, size_t count, size_t first)
 /* One bad index, at `corner`. */
 static void check_corner(const tribox_mesh *mesh, size_t corner, size_t number)
 {
-    const size_t right = mesh_number(mesh, corner), triangle = corner / 3;
-    mesh_set_number(mesh, corner, number);
+    const size_t right = laid_mesh_index(mesh, corner), triangle = corner / 3;
+    laid_mesh_set_index(mesh, corner, number);
     check_found(mesh, 1, corner);
     for (int k = 0; k < kernels; k++) {
         check_answers_refused(mesh, names[k]);
@@ -92,7 +93,7 @@ static void check_corner(const tribox_mesh *mesh, size_t corner, size_t number)
         check_streams_made(mesh, 0, triangle, names[k]);
         check_streams_made(mesh, triangle + 1, mesh->count - triangle - 1, names[k]);
     }
-    mesh_set_number(mesh, corner, right);
+    laid_mesh_set_index(mesh, corner, right);
 }
 
 /* Numbers that are just too large, and as large as they can be; also where the sign bit of a narrower number would be. */
@@ -104,15 +105,19 @@ static size_t draw_bad_number(random_source *r, const tribox_mesh *mesh)
     return random_int(r, 2) || any < mesh->vertices ? mesh->vertices : any;
 }
 
+/* On a lattice about the box. */
 static tribox_mesh any_mesh(random_source *r, size_t count, unsigned index_bytes)
 {
-    const layout l = {count,
-                      index_bytes,
-                      random_int(r, 2) ? 12 : (size_t)random_int_between(r, 12, 40),
-                      (index_pattern)random_int(r, INDEX_PATTERNS),
-                      random_int(r, 4),
-                      random_int(r, 2)};
-    return mesh_lay(r, &l, fences);
+    static double u[LAID_MOST][3][3];
+    const mesh_form form = {.position_bytes = 4,
+                            .index_bytes = index_bytes,
+                            .gap = random_int(r, 2) ? 0 : (size_t)random_int_between(r, 0, 28),
+                            .pattern = (index_pattern)random_int(r, INDEX_PATTERNS),
+                            .shift = random_int(r, 4),
+                            .is_at_end = random_int(r, 2)};
+    for (size_t n = 0; n < 9 * count; n++)
+        u[n / 9][n / 3 % 3][n % 3] = 0.25 * random_int_between(r, -9, 9);
+    return laid_mesh_of(r, &form, (const double(*)[3][3])u, count, (const int[]){0, 1, 2}, fences);
 }
 
 /* Each corner in turn. */
@@ -152,7 +157,7 @@ CASE(test_many)
             size_t count = 0, first = 0;
             for (size_t corner = 3 * mesh.count; corner-- > 0;)
                 if (random_int(&r, 4) < share) {
-                    mesh_set_number(&mesh, corner, draw_bad_number(&r, &mesh));
+                    laid_mesh_set_index(&mesh, corner, draw_bad_number(&r, &mesh));
                     count++;
                     first = corner;
                 }
@@ -303,8 +308,8 @@ CASE(test_greatest_numbers)
             float got[9][CORNERS / 3], want[9][CORNERS / 3];
             float *const x[3] = {got[0], got[1], got[2]}, *const y[3] = {got[3], got[4], got[5]},
                          *const z[3] = {got[6], got[7], got[8]};
-            float *const expected[9] = {want[0], want[1], want[2], want[3], want[4], want[5], want[6], want[7], want[8]};
-            mesh_expect(&mesh, 0, mesh.count, expected);
+            for (size_t n = 0; n < 3 * CORNERS; n++)
+                want[n % 9][n / 9] = (float)laid_mesh_number(&mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
             say("tribox_mesh_to_soup", names[k], &mesh);
             assert_int_equal(tribox_mesh_to_soup(&mesh, NULL, 0, mesh.count, &(tribox_options){.kernel = names[k]}, x, y, z),
                              TRIBOX_OK);
@@ -326,7 +331,10 @@ CASE(test_greatest_numbers) { skip(); }
 
 static int set_up(void)
 {
-    fences = mesh_fences_make(args.seed);
+    fences = laid_fences_make(args.seed);
+    for (int s = 0; s < 9; s++)
+        stream_fence[s] = guarded_make(LAID_MOST * sizeof(float));
+    mask_fence = guarded_make((LAID_MOST / 64 + 1) * sizeof(uint64_t));
     return 0;
 }
 

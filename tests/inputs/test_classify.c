@@ -8,7 +8,7 @@
 
 #include "common/harness.h"
 #include "drawn_pairs.h"
-#include "fences.h"
+#include "common/fences.h"
 #include "common/guarded_pages.h"
 
 static drawn_numbers numbers;

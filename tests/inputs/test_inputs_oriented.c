@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "common/harness.h"
-#include "doubles/laid_mesh.h"
+#include "common/laid_mesh.h"
 #include "exact/oriented/oriented.h"
 #include "oriented_oracle.h"
 #include "oriented_scenes.h"

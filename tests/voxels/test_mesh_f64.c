@@ -8,7 +8,7 @@
 
 #include "common/harness.h"
 #include "common/real_meshes.h"
-#include "doubles/laid_mesh.h"
+#include "common/laid_mesh.h"
 
 enum { CELLS_MAX = 20000, ROUNDS = 60, LAYOUTS = 14, PAIRS_A_ROUND = 100000 };
 

@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-const mesh_form nine_doubles = {.position_bytes = 8};
-
 static const unsigned index_sizes[] = {0, 2, 4};
 static const unsigned axes_orders[] = {0, 123, 132, 213, 231, 312, 321};
 
@@ -39,7 +37,7 @@ static guarded fence_of_noise(random_source *r, size_t bytes)
 laid_fences laid_fences_make(uint64_t seed)
 {
     random_source r = random_named(seed, "laid fences");
-    laid_fences f = {.positions = fence_of_noise(&r, LAID_F64_BYTES)};
+    laid_fences f = {.positions = fence_of_noise(&r, LAID_BYTES)};
     f.indices = fence_of_noise(&r, 3 * LAID_MOST * sizeof(uint32_t) + 8);
     return f;
 }
@@ -54,7 +52,7 @@ static size_t stride_of(const tribox_mesh *mesh)
     return mesh->stride ? mesh->stride : mesh->axis_stride > bytes ? bytes : 3 * bytes;
 }
 
-static size_t vertex_number(const tribox_mesh *mesh, size_t corner)
+size_t laid_mesh_index(const tribox_mesh *mesh, size_t corner)
 {
     uint16_t narrow;
     uint32_t wide;
@@ -65,28 +63,42 @@ static size_t vertex_number(const tribox_mesh *mesh, size_t corner)
     return mesh->index_bytes == 2 ? narrow : wide;
 }
 
-unsigned char *laid_mesh_at(const tribox_mesh *mesh, size_t corner, int a)
+void laid_mesh_set_index(const tribox_mesh *mesh, size_t corner, size_t number)
+{
+    const uint16_t narrow = (uint16_t)number;
+    const uint32_t wide = (uint32_t)number;
+    memcpy((unsigned char *)(uintptr_t)mesh->indices + mesh->index_bytes * corner,
+           mesh->index_bytes == sizeof narrow ? (const void *)&narrow : &wide, mesh->index_bytes);
+}
+
+/* Where axis a of a vertex lies. */
+static unsigned char *place_of(const tribox_mesh *mesh, size_t vertex, int a)
 {
     unsigned char *const positions = (unsigned char *)(uintptr_t)mesh->positions;
     const unsigned axes = mesh->axes ? mesh->axes : 123, digit[3] = {axes / 100, axes / 10 % 10, axes % 10};
-    return positions + vertex_number(mesh, corner) * stride_of(mesh) + (digit[a] - 1) * axis_stride_of(mesh);
+    return positions + vertex * stride_of(mesh) + (digit[a] - 1) * axis_stride_of(mesh);
+}
+
+float laid_mesh_float(const tribox_mesh *mesh, size_t corner, int a)
+{
+    float number;
+    memcpy(&number, place_of(mesh, laid_mesh_index(mesh, corner), a), sizeof number);
+    return number;
 }
 
 double laid_mesh_number(const tribox_mesh *mesh, size_t corner, int a)
 {
-    float narrow;
-    double wide;
-    const unsigned char *const at = laid_mesh_at(mesh, corner, a);
-    if (number_bytes(mesh) == 8)
-        return memcpy(&wide, at, sizeof wide), wide;
-    memcpy(&narrow, at, sizeof narrow);
-    return (double)narrow;
+    double number;
+    if (number_bytes(mesh) != 8)
+        return (double)laid_mesh_float(mesh, corner, a);
+    memcpy(&number, place_of(mesh, laid_mesh_index(mesh, corner), a), sizeof number);
+    return number;
 }
 
-static void put_number(const tribox_mesh *mesh, size_t corner, int a, double x)
+static void put_number(const tribox_mesh *mesh, size_t vertex, int a, double x)
 {
     const float narrow = (float)x;
-    memcpy(laid_mesh_at(mesh, corner, a), number_bytes(mesh) == 8 ? (const void *)&x : &narrow, number_bytes(mesh));
+    memcpy(place_of(mesh, vertex, a), number_bytes(mesh) == 8 ? (const void *)&x : &narrow, number_bytes(mesh));
 }
 
 /* Strides by the order; the greatest fits LAID_MOST triangles into the fence only where there are no gaps. */
@@ -111,26 +123,52 @@ static unsigned char *place(guarded g, size_t bytes, const mesh_form *form)
     return form->is_at_end ? (unsigned char *)guarded_tail(g, bytes) - form->shift : g.first + form->shift;
 }
 
-/* A number for each corner, every one once, but for those that are left out. */
+static size_t draw_vertices(random_source *r, const mesh_form *form, size_t count)
+{
+    const size_t corners = 3 * count;
+    return !form->index_bytes                    ? corners + random_below(r, 3)
+           : form->pattern == PATTERN_SHARED     ? count / 2 + 2
+           : form->pattern == PATTERN_NEVER_LAST ? corners + 2
+           : form->pattern == PATTERN_ONE        ? 1 + random_below(r, 3)
+                                                 : corners;
+}
+
+static size_t draw_index(random_source *r, index_pattern pattern, size_t corner, size_t corners, size_t vertices)
+{
+    switch (pattern) {
+    case PATTERN_EACH:
+    case PATTERN_ORDER:
+        return corner;
+    case PATTERN_REVERSED:
+        return corners - 1 - corner;
+    case PATTERN_NEVER_LAST:
+    case PATTERN_LAST_ONCE:
+        return random_below(r, vertices - 1);
+    case PATTERN_LAST_ALWAYS:
+        return corner % 3 == corner / 3 % 3 ? vertices - 1 : random_below(r, vertices);
+    case PATTERN_ONE:
+        return corners % vertices;
+    case PATTERN_NEAR:
+        return (corner + random_below(r, 20)) % vertices;
+    default:
+        return random_below(r, vertices);
+    }
+}
+
 static void lay_indices(random_source *r, const mesh_form *form, tribox_mesh *mesh, laid_fences f)
 {
-    static uint32_t number[3 * LAID_MOST];
     const size_t corners = 3 * mesh->count;
-    unsigned char *const indices = place(f.indices, corners * form->index_bytes, form);
-    for (size_t k = 0; k < corners; k++)
-        number[k] = (uint32_t)k;
-    for (size_t k = 0; k + 1 < corners; k++) {
-        const size_t other = k + random_below(r, corners - k);
-        const uint32_t swapped = number[k];
-        number[k] = number[other];
-        number[other] = swapped;
-    }
-    for (size_t k = 0; k < corners; k++) {
-        const uint16_t narrow = (uint16_t)number[k];
-        memcpy(indices + form->index_bytes * k, form->index_bytes == 2 ? (const void *)&narrow : &number[k], form->index_bytes);
-    }
-    mesh->indices = indices;
+    mesh->indices = place(f.indices, corners * form->index_bytes, form);
     mesh->index_bytes = form->index_bytes;
+    for (size_t k = 0; k < corners; k++)
+        laid_mesh_set_index(mesh, k, draw_index(r, form->pattern, k, corners, mesh->vertices));
+    if (corners && form->pattern == PATTERN_LAST_ONCE)
+        laid_mesh_set_index(mesh, random_below(r, corners), mesh->vertices - 1);
+    for (size_t k = 0; form->pattern == PATTERN_EACH && k + 1 < corners; k++) {
+        const size_t other = k + random_below(r, corners - k), swapped = laid_mesh_index(mesh, k);
+        laid_mesh_set_index(mesh, k, laid_mesh_index(mesh, other));
+        laid_mesh_set_index(mesh, other, swapped);
+    }
 }
 
 /* Corners whose vertices are the same, bit for bit, get one number: that of the first. Looks at near ones alone. */
@@ -140,10 +178,10 @@ static void share_vertices(const tribox_mesh *mesh)
         for (size_t back = 1; back <= 8 && back <= k; back++) {
             bool is_same = true;
             for (int a = 0; a < 3; a++)
-                is_same = is_same && !memcmp(laid_mesh_at(mesh, k, a), laid_mesh_at(mesh, k - back, a), number_bytes(mesh));
+                is_same = is_same && !memcmp(place_of(mesh, laid_mesh_index(mesh, k), a),
+                                             place_of(mesh, laid_mesh_index(mesh, k - back), a), number_bytes(mesh));
             if (is_same) {
-                unsigned char *const indices = (unsigned char *)(uintptr_t)mesh->indices;
-                memcpy(indices + mesh->index_bytes * k, indices + mesh->index_bytes * (k - back), mesh->index_bytes);
+                laid_mesh_set_index(mesh, k, laid_mesh_index(mesh, k - back));
                 break;
             }
         }
@@ -152,17 +190,18 @@ static void share_vertices(const tribox_mesh *mesh)
 tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (*u)[3][3], size_t count, const int turn[3],
                          laid_fences f)
 {
-    tribox_mesh mesh = {.vertices = 3 * count, .count = count, .position_bytes = form->position_bytes, .axes = form->axes};
+    const bool is_each = !form->index_bytes || form->pattern == PATTERN_EACH;
+    const size_t vertices = count ? draw_vertices(r, form, count) : 0;
+    tribox_mesh mesh = {.vertices = vertices, .count = count, .position_bytes = form->position_bytes, .axes = form->axes};
     put_strides(r, form, &mesh);
     if (form->index_bytes)
         lay_indices(r, form, &mesh, f);
-    const size_t last = mesh.vertices ? mesh.vertices - 1 : 0;
-    const size_t bytes = count ? last * stride_of(&mesh) + 2 * axis_stride_of(&mesh) + number_bytes(&mesh) : 0;
+    const size_t bytes = vertices ? (vertices - 1) * stride_of(&mesh) + 2 * axis_stride_of(&mesh) + number_bytes(&mesh) : 0;
     mesh.positions = place(f.positions, bytes, form);
-    for (size_t k = 0; k < 3 * count; k++)
+    for (size_t k = 0; k < (is_each ? 3 * count : vertices); k++)
         for (int a = 0; a < 3; a++)
-            put_number(&mesh, k, a, u[k / 3][turn[k % 3]][a]);
-    if (form->index_bytes && form->is_shared)
+            put_number(&mesh, is_each ? laid_mesh_index(&mesh, k) : k, a, u[k / 3 % count][turn[k % 3]][a]);
+    if (form->index_bytes && form->is_shared && is_each)
         share_vertices(&mesh);
     return mesh;
 }

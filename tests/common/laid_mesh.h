@@ -17,6 +17,21 @@ typedef enum vertex_order {
     VERTEX_ORDERS
 } vertex_order;
 
+/* Which vertices the indices name. The last vertex matters: nothing may be read past it. */
+typedef enum index_pattern {
+    PATTERN_EACH,        /* every one once, in any order */
+    PATTERN_ORDER,       /* 0, 1, 2, 3, ...: the last vertex comes last */
+    PATTERN_REVERSED,    /* the last vertex comes first */
+    PATTERN_ANY,         /* of as many as there are corners */
+    PATTERN_SHARED,      /* of few */
+    PATTERN_NEVER_LAST,  /* any but the last */
+    PATTERN_LAST_ONCE,   /* the last at one corner */
+    PATTERN_LAST_ALWAYS, /* the last at a corner of every triangle */
+    PATTERN_ONE,         /* one for all */
+    PATTERN_NEAR,        /* what is near in number is near in the mesh */
+    INDEX_PATTERNS
+} index_pattern;
+
 typedef struct mesh_form {
     unsigned position_bytes; /* as in tribox_mesh */
     unsigned index_bytes;    /* 0 for none */
@@ -25,17 +40,15 @@ typedef struct mesh_form {
     size_t gap;     /* bytes between what could be next to each other */
     int shift;      /* bytes by which positions and indices lie beside an aligned place */
     bool is_at_end; /* they end at the page after them, or begin after the page before them */
-    bool is_shared; /* vertices that are the same are one; with indices */
+    bool is_shared; /* vertices that are the same are one; with indices that name each */
+    index_pattern pattern;
 } mesh_form;
 
-/* As most have them. */
-extern const mesh_form nine_doubles;
-
-/* Any. Floats only if all numbers are such; without indices at times. */
+/* Any that names each vertex. Floats only if all numbers are such; without indices at times. */
 mesh_form mesh_form_draw(random_source *r, bool may_be_floats);
 
 /* How many triangles, and how many bytes of positions, fit the fences. */
-enum { LAID_MOST = 5000, LAID_F64_BYTES = 2 << 20 };
+enum { LAID_MOST = 5000, LAID_BYTES = 8 << 20 };
 
 typedef struct laid_fences {
     guarded positions, indices;
@@ -45,17 +58,19 @@ typedef struct laid_fences {
 laid_fences laid_fences_make(uint64_t seed);
 
 /*
- * Lays out triangles; vertex j of the mesh's triangles is vertex turn[j] of these. Vertices with indices are numbered in any order.
- * Valid until the next mesh is laid into the same fences.
+ * Lays out triangles; vertex j of the mesh's triangles is vertex turn[j] of these. By patterns that name not each vertex once it has
+ * others, of the same vertices. Without indices there may be more vertices than it needs. Valid until the next mesh is laid into the same fences.
  */
 tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (*u)[3][3], size_t count, const int turn[3],
                          laid_fences f);
 
-/* Where axis a of the vertex at a corner lies. */
-unsigned char *laid_mesh_at(const tribox_mesh *mesh, size_t corner, int a);
+/* The number of the vertex at a corner, and a change of it. */
+size_t laid_mesh_index(const tribox_mesh *mesh, size_t corner);
+void laid_mesh_set_index(const tribox_mesh *mesh, size_t corner, size_t number);
 
-/* Axis a of the vertex at a corner, widened. */
+/* Axis a of the vertex at a corner, widened, or of floats as it is. */
 double laid_mesh_number(const tribox_mesh *mesh, size_t corner, int a);
+float laid_mesh_float(const tribox_mesh *mesh, size_t corner, int a);
 
 /* A mesh in one line. */
 enum { LAID_TEXT = 160 };
