@@ -58,8 +58,9 @@ typedef struct laid_fences {
 laid_fences laid_fences_make(uint64_t seed);
 
 /*
- * Lays out triangles; vertex j of the mesh's triangles is vertex turn[j] of these. By patterns that name not each vertex once it has
- * others, of the same vertices. Without indices there may be more vertices than it needs. Valid until the next mesh is laid into the same fences.
+ * Lays out triangles; vertex j of the mesh's triangles is vertex turn[j] of these. By patterns that name not each vertex once it
+ * has other triangles, of the same vertices. Without indices there may be more vertices than it needs. Valid until the next mesh is
+ * laid into the same fences.
  */
 tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (*u)[3][3], size_t count, const int turn[3],
                          laid_fences f);

@@ -56,95 +56,34 @@ static lane_number multiply_add(lane_number a, lane_number b, lane_number c)
     return product + c;
 }
 
-/* The definition of one lane. `first` is lane 0 of a. */
+/* A case for each word of a table; its name; whether it is of a kind. */
+#define WORD_OF_ONE(name, kind, of_lanes, of_one) \
+    case WORD_##name: \
+        return of_one;
+#define WORD_NAME(name, kind, of_lanes, of_one) #name,
+#define WORD_KIND(name, kind, of_lanes, of_one) kind,
+
 static lane_number number_of(number_word word, lane_number first, lane_number a, lane_number b, lane_number c)
 {
     switch (word) {
-    case V_SPLAT:
-        return first;
-    case V_ADD:
-        return a + b;
-    case V_SUB:
-        return a - b;
-    case V_MUL:
-        return a * b;
-    case V_DIV:
-        return a / b;
-    case V_FMA:
-        return multiply_add(a, b, c);
-    case V_FMS:
-        return multiply_add(a, b, -c);
-    case V_MIN:
-        return a < b ? a : b;
-    case V_MAX:
-        return a > b ? a : b;
-    case V_ABS:
-        return number_of_bits(bits_of(a) & ~SIGN_BIT);
-    case V_FLIP:
-        return number_of_bits(bits_of(a) ^ (bits_of(b) & SIGN_BIT));
-    case V_WRITE:
-        return a;
-    case V_SELECT:
-        return b > c ? a : b;
-    case V_DROP:
-        return b > c ? NAN : a;
-    case NUMBER_WORDS:
-        break;
+        NUMBER_WORDS(WORD_OF_ONE)
+    default:
+        return NAN;
     }
-    return NAN;
 }
-
-#if !defined(LANES_OF_DOUBLE)
-static bool is_negative(lane_number a) { return bits_of(a) & SIGN_BIT; }
-#endif
 
 static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
 {
     switch (word) {
-    case V_GT:
-        return a > b;
-#if !defined(LANES_OF_DOUBLE)
-    case M_SIGNS:
-        return is_negative(a);
-    case V_EITHER:
-        return is_negative(a) || is_negative(b);
-    case V_IS_ZERO:
-        return a == 0;
-#endif
-    case M_ALL:
-        return true;
-    case M_NONE:
+        MASK_WORDS(WORD_OF_ONE)
+    default:
         return false;
-    case M_NOT:
-        return !(a > b);
-    case M_OR:
-        return a > b || b > c;
-    case M_AND:
-        return a > b && b > c;
-    case M_ANDNOT:
-        return a > b && !(b > c);
-    case MASK_WORDS:
-        break;
     }
-    return false;
 }
 
-static const char *const number_names[NUMBER_WORDS] = {
-    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",     [V_SUB] = "v_sub",       [V_MUL] = "v_mul",   [V_DIV] = "v_div",
-    [V_FMA] = "v_fma",     [V_FMS] = "v_fms",     [V_MIN] = "v_min",       [V_MAX] = "v_max",   [V_ABS] = "v_abs",
-    [V_FLIP] = "v_flip",   [V_WRITE] = "v_write", [V_SELECT] = "v_select", [V_DROP] = "v_drop",
-};
-
-static const char *const mask_names[MASK_WORDS] = {
-#if !defined(LANES_OF_DOUBLE)
-    [M_SIGNS] = "m_signs", [V_EITHER] = "v_either", [V_IS_ZERO] = "v_is_zero",
-#endif
-    [V_GT] = "v_gt",       [M_ALL] = "m_all",       [M_NONE] = "m_none",       [M_NOT] = "m_not",
-    [M_OR] = "m_or",       [M_AND] = "m_and",       [M_ANDNOT] = "m_andnot",
-};
-
-/* The payload of a NaN that an operation makes is nobody's promise; the words that only move bits keep every one. */
-static bool may_change_payload(number_word word) { return (word >= V_ADD && word <= V_FMS) || word == V_FLIP || word == V_DROP; }
+static const char *const number_names[] = {NUMBER_WORDS(WORD_NAME)}, *const mask_names[] = {MASK_WORDS(WORD_NAME)};
+enum { MOVED, MADE };
+static const unsigned char payloads[] = {NUMBER_WORDS(WORD_KIND)};
 
 static void check_numbers(number_word word, const lane_number *a, const lane_number *b, const lane_number *c)
 {
@@ -152,7 +91,7 @@ static void check_numbers(number_word word, const lane_number *a, const lane_num
     lanes_number(word, a, b, c, out);
     for (unsigned lane = 0; lane < lanes_count; lane++) {
         const lane_number expected = number_of(word, a[0], a[lane], b[lane], c[lane]);
-        if (bits_of(out[lane]) == bits_of(expected) || (may_change_payload(word) && isnan(out[lane]) && isnan(expected)))
+        if (bits_of(out[lane]) == bits_of(expected) || (payloads[word] == MADE && isnan(out[lane]) && isnan(expected)))
             continue;
         fail_msg("%s in lane %u of (%a, %a, %a) gives %a, bits %" PRIx64 ", and should give %a, bits %" PRIx64, number_names[word],
                  lane, (double)a[lane], (double)b[lane], (double)c[lane], (double)out[lane], (uint64_t)bits_of(out[lane]),
@@ -175,9 +114,9 @@ static void check_mask(mask_word word, const lane_number *a, const lane_number *
 
 static void check_words(const lane_number *a, const lane_number *b, const lane_number *c)
 {
-    for (number_word word = 0; word < NUMBER_WORDS; word++)
+    for (number_word word = 0; word < NUMBER_WORD_COUNT; word++)
         check_numbers(word, a, b, c);
-    for (mask_word word = 0; word < MASK_WORDS; word++)
+    for (mask_word word = 0; word < MASK_WORD_COUNT; word++)
         check_mask(word, a, b, c);
 }
 
@@ -442,53 +381,19 @@ static uint32_t count_bits(uint32_t a)
     return count;
 }
 
-/* Bits alone; those shifted out on either side are gone. */
 static uint32_t int_of(int_word word, uint32_t first, uint32_t a, uint32_t b)
 {
     switch (word) {
-    case I_SPLAT:
-        return first;
-    case I_WRITE:
-        return a;
-    case I_ADD:
-        return a + b;
-    case I_SUB:
-        return a - b;
-    case I_MUL:
-        return (uint32_t)((uint64_t)a * b);
-    case I_AND:
-        return a & b;
-    case I_OR:
-        return a | b;
-    case I_ANDNOT:
-        return a & ~b;
-    case I_SHL:
-        return b < 32 ? a << b : 0;
-    case I_SHR:
-        return b < 32 ? a >> b : 0;
-    case I_SHL_OVER:
-        return (uint32_t)((uint64_t)a << b >> 32);
-    case I_RUN:
-        return bits_between(a, b);
-    case I_COUNT:
-        return count_bits(a);
-    case I_KEEP:
-        return b ? a : 0;
-    case INT_WORDS:
-        break;
+        INT_WORDS(WORD_OF_ONE)
+    default:
+        return 0;
     }
-    return 0;
 }
 
-static const char *const int_names[INT_WORDS] = {
-    [I_SPLAT] = "i_splat", [I_WRITE] = "i_write", [I_ADD] = "i_add", [I_SUB] = "i_sub",
-    [I_MUL] = "i_mul",     [I_AND] = "i_and",     [I_OR] = "i_or",   [I_ANDNOT] = "i_andnot",
-    [I_SHL] = "i_shl",     [I_SHR] = "i_shr",     [I_RUN] = "i_run", [I_SHL_OVER] = "i_shl_over",
-    [I_COUNT] = "i_count", [I_KEEP] = "i_keep",
-};
-
-/* Those of which the second number, and of a run the first too, is a number of bits: 0 to 32. */
-static bool is_of_places(int_word word) { return word == I_SHL || word == I_SHR || word == I_SHL_OVER || word == I_RUN; }
+/* PLACES: the second number, and of a run the first too, is a number of bits: 0 to 32. */
+enum { ANY, PLACES };
+static const char *const int_names[] = {INT_WORDS(WORD_NAME)};
+static const unsigned char int_kinds[] = {INT_WORDS(WORD_KIND)};
 
 static void check_ints(int_word word, const int32_t *a, const int32_t *b)
 {
@@ -520,8 +425,8 @@ CASE(test_ints)
             with_bits |= (uint64_t)(a[lane] != 0) << lane;
             lanes_chosen += a[lane] != 0;
         }
-        for (int_word word = 0; word < INT_WORDS; word++)
-            if (!is_of_places(word))
+        for (int_word word = 0; word < INT_WORD_COUNT; word++)
+            if (int_kinds[word] == ANY)
                 check_ints(word, a, b);
         assert_true(lanes_with_bits(a) == with_bits);
         assert_true(lanes_count_with_bits(a) == lanes_chosen);
@@ -542,12 +447,12 @@ CASE(test_shifts)
             const int32_t first = n[0];
             memmove(n, n + 1, (lanes_count - 1) * sizeof *n);
             n[lanes_count - 1] = first;
-            check_ints(I_SHL, a, n);
-            check_ints(I_SHR, a, n);
+            check_ints(WORD_i_shl, a, n);
+            check_ints(WORD_i_shr, a, n);
             int32_t fewer[LANES_MAX];
             for (unsigned lane = 0; lane < lanes_count; lane++)
                 fewer[lane] = n[lane] % 32;
-            check_ints(I_SHL_OVER, a, fewer);
+            check_ints(WORD_i_shl_over, a, fewer);
         }
     }
 }
@@ -562,7 +467,7 @@ CASE(test_runs)
             first[lane] = other / 33;
             end[lane] = other % 33;
         }
-        check_ints(I_RUN, first, end);
+        check_ints(WORD_i_run, first, end);
     }
 }
 
@@ -608,7 +513,7 @@ CASE(test_bits_of_single_lanes)
                 b[k] = 1;
                 c[k] = 1;
             }
-            for (mask_word word = 0; word < MASK_WORDS; word++)
+            for (mask_word word = 0; word < MASK_WORD_COUNT; word++)
                 check_mask(word, a, b, c);
         }
 }
@@ -624,7 +529,7 @@ CASE(test_roundings)
         minus[lane] = -plus[lane];
     }
     for (int is_fms = 0; is_fms < 2; is_fms++) {
-        lanes_number(is_fms ? V_FMS : V_FMA, a, a, is_fms ? plus : minus, out);
+        lanes_number(is_fms ? WORD_v_fms : WORD_v_fma, a, a, is_fms ? plus : minus, out);
         for (unsigned lane = 0; lane < lanes_count; lane++)
             if (bits_of(out[lane]) != bits_of(expected))
                 fail_msg("%s in lane %u does not round %s, as V_FUSED says", is_fms ? "v_fms" : "v_fma", lane,

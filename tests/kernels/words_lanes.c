@@ -32,41 +32,18 @@ static vnum copied(vnum a)
 #endif
 }
 
+/* A case for each word of a table. */
+#define WORD_OF_LANES(name, kind, of_lanes, of_one) \
+    case WORD_##name: \
+        return of_lanes;
+
 static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum c)
 {
     switch (word) {
-    case V_SPLAT:
-        return v_splat(first);
-    case V_ADD:
-        return v_add(a, b);
-    case V_SUB:
-        return v_sub(a, b);
-    case V_MUL:
-        return v_mul(a, b);
-    case V_DIV:
-        return v_div(a, b);
-    case V_FMA:
-        return v_fma(a, b, c);
-    case V_FMS:
-        return v_fms(a, b, c);
-    case V_MIN:
-        return v_min(a, b);
-    case V_MAX:
-        return v_max(a, b);
-    case V_ABS:
-        return v_abs(a);
-    case V_FLIP:
-        return v_flip(a, b);
-    case V_WRITE:
-        return copied(a);
-    case V_SELECT:
-        return v_select(v_gt(b, c), a, b);
-    case V_DROP:
-        return v_drop(v_gt(b, c), a);
-    case NUMBER_WORDS:
-        break;
+        NUMBER_WORDS(WORD_OF_LANES)
+    default:
+        return a;
     }
-    return a;
 }
 
 void lanes_number(number_word word, const lane_number *a, const lane_number *b, const lane_number *c, lane_number *out)
@@ -128,38 +105,10 @@ static vint copied_int(vint a)
 static vint int_of(int_word word, int32_t first, vint a, vint b)
 {
     switch (word) {
-    case I_SPLAT:
-        return i_splat(first);
-    case I_WRITE:
-        return copied_int(a);
-    case I_ADD:
-        return i_add(a, b);
-    case I_SUB:
-        return i_sub(a, b);
-    case I_MUL:
-        return i_mul(a, b);
-    case I_AND:
-        return i_and(a, b);
-    case I_OR:
-        return i_or(a, b);
-    case I_ANDNOT:
-        return i_andnot(a, b);
-    case I_SHL:
-        return i_shl(a, b);
-    case I_SHR:
-        return i_shr(a, b);
-    case I_SHL_OVER:
-        return i_shl_over(a, b);
-    case I_RUN:
-        return i_run(a, b);
-    case I_COUNT:
-        return i_count(a);
-    case I_KEEP:
-        return i_keep(m_has_bits(b), a);
-    case INT_WORDS:
-        break;
+        INT_WORDS(WORD_OF_LANES)
+    default:
+        return a;
     }
-    return a;
 }
 
 void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out)
@@ -180,32 +129,10 @@ void lanes_pack_int(const int32_t *a, const int32_t *chosen, int32_t *out) { i_p
 static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)
 {
     switch (word) {
-    case V_GT:
-        break;
-#if !defined(LANES_OF_DOUBLE)
-    case M_SIGNS:
-        return m_signs(a);
-    case V_EITHER:
-        return m_signs(v_either(a, b));
-    case V_IS_ZERO:
-        return v_is_zero(a);
-#endif
-    case M_ALL:
-        return m_all();
-    case M_NONE:
+        MASK_WORDS(WORD_OF_LANES)
+    default:
         return m_none();
-    case M_NOT:
-        return m_not(v_gt(a, b));
-    case M_OR:
-        return m_or(v_gt(a, b), v_gt(b, c));
-    case M_AND:
-        return m_and(v_gt(a, b), v_gt(b, c));
-    case M_ANDNOT:
-        return m_andnot(v_gt(a, b), v_gt(b, c));
-    case MASK_WORDS:
-        break;
     }
-    return v_gt(a, b);
 }
 
 uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c)
