@@ -22,4 +22,7 @@ size_t walls_kinds(void);
 /* Of any size, often one row, one layer or a word and a few cells; of kind `number`, or of some with a hole in it. */
 void walls_draw(random_source *r, size_t number, walls *w);
 
+/* Which free cells are reached from outside, cell by cell from all that lies on the border. Returns the number of cells reached. */
+size_t walls_search(const walls *w, unsigned char is_reached[WALLS_CELLS]);
+
 #endif

@@ -1,10 +1,12 @@
-/* test_fill_labels.c - grids that are filled part by part have the bits of a plain search, however they are cut. */
+/*
+ * test_fill_labels.c - what is filled are the cells that a plain search from outside does not find, whatever the walls: of a whole
+ * grid, and part by part, however it is cut.
+ */
 #include "common/harness.h"
-#include "fill_search.h"
 #include "fill_walls.h"
 #include "tribox_threads.h"
 
-enum { PAIRS = 100000, ROUNDS = 800, PARTS_MAX = 4096 };
+enum { PAIRS = 100000, ROUNDS = 1200, PARTS_MAX = 4096 };
 
 static walls drawn;
 static unsigned char is_reached[WALLS_CELLS];
@@ -196,12 +198,36 @@ static void check_part(const part *p)
             }
 }
 
+/* The whole as one part. Scratch is at any address, and no byte past what was asked for is written. */
+static size_t fill_whole(random_source *r)
+{
+    static part whole;
+    memcpy(whole.size, drawn.size, sizeof whole.size);
+    set_words(r, &whole);
+    const size_t bytes = row_words(&whole) * whole.size[1] * whole.size[2] * sizeof(uint64_t);
+    const size_t scratch_bytes = tribox_fill_bytes(drawn.size), after = random_below(r, 8);
+    unsigned char *const scratch = take_pages(&whole.scratch, scratch_bytes + after);
+    const int any = random_int(r, 256);
+    size_t inside = SIZE_MAX;
+    memset(whole.scratch.first, any, whole.scratch.size);
+    take_pages(&whole.solid, bytes);
+    memset(whole.solid.first, random_int(r, 256), whole.solid.size);
+    assert_int_equal(tribox_fill_outside(drawn.size, words_of(&whole), scratch, guarded_tail(whole.solid, bytes),
+                                         random_int(r, 4) ? &inside : NULL),
+                     TRIBOX_OK);
+    for (size_t n = 0; n < after; n++)
+        assert_int_equal(scratch[scratch_bytes + n], any);
+    check_part(&whole);
+    return inside;
+}
+
 static void check_drawn(random_source *r)
 {
-    const size_t reached = fill_search(&drawn, is_reached);
+    const size_t reached = walls_search(&drawn, is_reached);
     size_t free_cells = 0, inside = 0;
     for (size_t n = 0; n < (size_t)drawn.size[0] * drawn.size[1] * drawn.size[2]; n++)
         free_cells += !drawn.is_wall[n];
+    const size_t of_whole = fill_whole(r);
     label_all(r);
     join_all(r);
     for (size_t n = 0; n < parts_of(); n++) {
@@ -209,8 +235,8 @@ static void check_drawn(random_source *r)
         check_part(&cut.parts[n]);
     }
     free(cut.parents);
-    if (inside != free_cells - reached)
-        fail_msg("%s: %zu are inside, not %zu", doing, free_cells - reached, inside);
+    if (inside != free_cells - reached || (of_whole != SIZE_MAX && of_whole != inside))
+        fail_msg("%s: %zu are inside, not %zu, nor %zu", doing, free_cells - reached, inside, of_whole);
 }
 
 CASE(test_parts)
