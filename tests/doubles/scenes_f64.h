@@ -35,23 +35,4 @@ bool scene_f64_name_is_known(const char *name);
 /* Triangle k of a batch and its box. */
 pair_f64 batch_f64_pair(const batch_f64 *batch, int k);
 
-/* As they come, or nearly: scenes_f64_plain.c. */
-scene_f64_draw draw_f64_paper, draw_f64_offset, draw_f64_nanometres, draw_f64_sparse, draw_f64_lattice, draw_f64_far_lattice,
-    draw_f64_tenths, draw_f64_widened, draw_f64_northings, draw_f64_degenerate;
-
-/* Touching, and within rounding of it: scenes_f64_contact.c. */
-scene_f64_draw draw_f64_touching, draw_f64_touching_ulp, draw_f64_float_ulp, draw_f64_needles, draw_f64_scaled, draw_f64_rotated,
-    draw_f64_corners, draw_f64_big_triangles, draw_f64_big_boxes;
-
-/* What floats are not for: boxes flat, thin, tiny and huge, and numbers on faces and next to them: scenes_f64_guards.c. */
-scene_f64_draw draw_f64_flat, draw_f64_thin, draw_f64_thin_faces, draw_f64_sides, draw_f64_faces, draw_f64_zero_faces,
-    draw_f64_beside_faces, draw_f64_standing, draw_f64_wild;
-
-/* The ends of the range of doubles: scenes_f64_range.c. */
-scene_f64_draw draw_f64_range, draw_f64_subnormal, draw_f64_near_max, draw_f64_overflow, draw_f64_units, draw_f64_stage_ends,
-    draw_f64_nasty, draw_f64_bits;
-
-/* Triangles of floats about boxes of doubles: scenes_f64_floats.c. */
-scene_f64_draw draw_f64_float_planes, draw_f64_float_edges, draw_f64_float_faces;
-
 #endif
