@@ -7,7 +7,6 @@
 #include "cmd.h"
 #include "lines.h"
 #include "console/message.h"
-#include "target.h"
 
 enum { WORDS_MAX = 64 };
 

@@ -19,7 +19,6 @@
 #include "read/little.h"
 #include "read/scan.h"
 #include "read/triangle_file.h"
-#include "target.h"
 #include "write/checksum.h"
 #include "write/part.h"
 #include "write/zip.h"

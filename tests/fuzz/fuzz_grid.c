@@ -2,27 +2,22 @@
 #include <math.h>
 #include <string.h>
 
-#include "answers.h"
-#include "ensure.h"
+#include "things.h"
 #include "read/mesh_look.h"
 #include "voxelize/grid_choice.h"
 #include "lines.h"
-#include "tight_memory.h"
 #include "write/voxels.h"
-#include "target.h"
 
 static double plane(const tribox_grid *grid, int a, uint32_t p) { return fma(p, grid->cell[a], grid->origin[a]); }
 
 /* Floats, or doubles close to them. */
 static void draw_numbers(input *in, double numbers[3])
 {
-    float near[3];
-    input_numbers(in, near, 3);
+    input_numbers(in, numbers, 3);
     const unsigned steps = input_byte(in);
     for (int a = 0; a < 3; a++) {
-        numbers[a] = isfinite(near[a]) ? (double)near[a] : 0;
-        for (unsigned s = steps >> 2 * a & 3; s > 0; s--)
-            numbers[a] = nextafter(numbers[a], INFINITY);
+        numbers[a] = isfinite(numbers[a]) ? numbers[a] : 0;
+        move_up(&numbers[a], 1, steps >> 2 * a & 3);
     }
 }
 
@@ -44,13 +39,13 @@ static grid_choice draw_choice(input *in)
 }
 
 /* A side that the choice leaves open holds the mesh. */
-static void check_holds(const grid_choice *choice, const tribox_grid *grid, const asked *a)
+static void check_holds(const grid_choice *choice, const tribox_grid *grid, const things *t)
 {
-    for (unsigned i = 0; i < a->drawn; i++) {
-        const const_triangle u = triangle_of(&a->pair[i]);
-        for (int k = 0; triangle_is_finite(u) && k < 9; k++) {
+    for (unsigned i = 0; i < t->drawn; i++) {
+        const corners u = things_triangle(t, i);
+        for (int k = 0; are_finite(u[0], 9) && k < 9; k++) {
             const int axis = k % 3;
-            const double x = (double)u[k / 3][axis], end = plane(grid, axis, grid->size[axis]);
+            const double x = u[k / 3][axis], end = plane(grid, axis, grid->size[axis]);
             ensure(choice->has_origin || x >= grid->origin[axis], "%a lies below the grid, which begins at %a on axis %d", x,
                    grid->origin[axis], axis);
             ensure(choice->has_size || x <= end, "%a lies above the grid, which ends at %a on axis %d", x, end, axis);
@@ -69,12 +64,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     input in = input_of(data, size);
     const grid_choice choice = draw_choice(&in);
-    asked a = {.call = "grid_choose"};
+    things t = {.run = 1};
     do
-        input_triangle(&in, a.pair[a.drawn++].u);
-    while (!input_is_over(&in) && a.drawn < PAIRS_DRAWN);
-    a.count = a.drawn;
-    mesh m = {.soup = asked_soup(&a, 0), .triangles = a.count};
+        input_triangle(&in, t.u[t.drawn++]);
+    while (!input_is_over(&in) && t.drawn < DRAWN_MAX);
+    t.count = t.drawn;
+    things_lay_soup(&t, 0);
+    mesh m = {.soup = t.soup, .triangles = t.count};
     mesh_look_all(1, &m);
     tribox_grid grid;
     lines_forget();
@@ -83,7 +79,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!code) {
         ensure(voxels_are_served(&grid, NULL), "the library refuses the grid");
         ensure(is_as_chosen(&choice, &grid), "the grid is not the one that was asked for");
-        check_holds(&choice, &grid, &a);
+        check_holds(&choice, &grid, &t);
     }
     tight_memory_free_all();
     return 0;

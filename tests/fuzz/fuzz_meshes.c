@@ -12,7 +12,6 @@
 #include "lines.h"
 #include "read/mesh_ways.h"
 #include "same_mesh.h"
-#include "target.h"
 
 static const char *const endings[] = {"ply", "obj", "stl", "off"};
 enum { ENDINGS = sizeof endings / sizeof endings[0] };

@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The ways in which a number is written. */
@@ -21,86 +22,91 @@ size_t input_count(input *in)
 
 input input_of(const uint8_t *data, size_t size)
 {
-    static const int exponents[] = {0, -3, 10, -20, 60, -60, 118, -149};
     input in = {.at = data, .end = data + size, .knowns = 1};
-    const unsigned choice = input_below(&in, sizeof exponents / sizeof exponents[0]);
-    in.unit = ldexpf(1, exponents[choice]);
-    in.is_lattice = choice < 4;
+    in.unit = input_below(&in, 8);
+    in.is_lattice = in.unit < 4;
     return in;
 }
 
-static float float_of(uint32_t bits)
+static double any_bits(input *in)
 {
-    float number;
+    uint64_t bits = 0;
+    const unsigned bytes = in->is_wide ? 8 : 4;
+    for (unsigned k = 0; k < bytes; k++)
+        bits |= (uint64_t)input_byte(in) << 8 * k;
+    const uint32_t half = (uint32_t)bits;
+    double number;
+    float narrow;
     memcpy(&number, &bits, sizeof number);
+    memcpy(&narrow, &half, sizeof narrow);
+    return in->is_wide ? number : (double)narrow;
+}
+
+static double any_known(input *in) { return in->known[input_below(in, in->knowns)]; }
+
+/* A few numbers up or down; a double also off by some of what a float of it rounds. */
+static double near_known(input *in)
+{
+    double number = any_known(in);
+    const unsigned choice = input_below(in, in->is_wide ? 14 : 7);
+    if (choice >= 7)
+        return number + number * ((double)choice - 10) * 0x1p-25;
+    for (int steps = abs((int)choice - 3); steps; steps--) {
+        const double to = choice < 3 ? -INFINITY : INFINITY;
+        number = in->is_wide ? nextafter(number, to) : (double)nextafterf((float)number, (float)to);
+    }
     return number;
 }
 
-static float any_bits(input *in)
-{
-    uint32_t bits = 0;
-    for (int k = 0; k < 4; k++)
-        bits |= (uint32_t)input_byte(in) << 8 * k;
-    return float_of(bits);
-}
-
-/* So many floats up or down; past the greatest one to infinity and NaN. */
-static float stepped(float number, int steps)
-{
-    uint32_t bits;
-    memcpy(&bits, &number, sizeof bits);
-    int64_t place = bits >> 31 ? -(int64_t)(bits & 0x7fffffff) : (int64_t)bits;
-    place += steps;
-    return place < 0 ? -float_of((uint32_t)-place) : float_of((uint32_t)place);
-}
-
-static float any_known(input *in) { return in->known[input_below(in, in->knowns)]; }
-
-static float near_known(input *in)
-{
-    const float known = any_known(in);
-    return stepped(known, (int)input_below(in, 7) - 3);
-}
-
 /* A quarter of the way, half, or a way beyond. */
-static float between_known(input *in)
+static double between_known(input *in)
 {
-    const float from = any_known(in), to = any_known(in);
-    return from + (to - from) * ((float)input_below(in, 9) * 0.25f - 0.5f);
+    const double from = any_known(in), to = any_known(in);
+    return from + (to - from) * ((double)input_below(in, 9) * 0.25 - 0.5);
 }
 
-static float nasty(input *in)
+static double nasty(input *in)
 {
-    static const float numbers[] = {
-        0,       FLT_MIN,   0x1p-149f, 0x1.fffffcp-127f, FLT_MAX,   FLT_MAX / 2, 0x1p24f,  0x1.fffffep23f,
-        0x1p40f, 0x1p-110f, 0x1p-55f,  0x1p120f,         0x1p-120f, 1,           INFINITY, NAN};
+    static const double numbers[2][16] = {
+        {0, FLT_MIN, 0x1p-149, 0x1.fffffcp-127, FLT_MAX, FLT_MAX / 2, 0x1p24, 0x1.fffffep23, 0x1p40, 0x1p-110, 0x1p-55, 0x1p120,
+         0x1p-120, 1, INFINITY, NAN},
+        {0, DBL_MIN, 0x1p-1074, DBL_MAX, DBL_MAX / 2, 0x1p-36, 0x1p36, 0x1p-200, 0x1p200, 0x1p127, 0x1p-149, 0x1p-150, 1, 0x1p1023,
+         INFINITY, NAN},
+    };
     const unsigned choice = input_byte(in);
-    const float number = numbers[choice & 15];
+    const double number = numbers[in->is_wide][choice & 15];
     return choice & 16 ? -number : number;
 }
 
-static float near_power(input *in)
+static double near_power(input *in)
 {
-    const unsigned exponent = input_byte(in), digits = input_byte(in);
-    const float number = ldexpf(1 + (float)(digits & 15) * 0x1p-4f, (int)exponent - 127);
+    const int exponent = (int)input_byte(in), digits = (int)input_byte(in);
+    const double number = ldexp(1 + (double)(digits & 15) / 16, in->is_wide ? 8 * exponent - 1022 : exponent - 127);
     return digits & 128 ? -number : number;
 }
 
-static float few_units(input *in) { return ((float)(input_byte(in) & 31) - 16) * in->unit; }
-
-/* Longer or shorter integers. */
-static float far_units(input *in)
+static double unit_of(const input *in)
 {
-    static const float offsets[] = {0x1p20f, 0x1p5f, 0x1p8f, 0x1p10f, 0x1p12f, 0x1p16f, 0x1p18f, 0x1p22f};
-    const unsigned byte = input_byte(in);
-    return ((float)(byte & 31) - 16 + offsets[byte >> 5]) * in->unit;
+    static const int exponents[2][8] = {{0, -3, 10, -20, 60, -60, 118, -149}, {0, -3, 10, -40, 36, -36, 600, -1074}};
+    return ldexp(1, exponents[in->is_wide][in->unit]);
 }
 
-static float number_written(input *in, unsigned way)
+static double few_units(input *in) { return ((double)(input_byte(in) & 31) - 16) * unit_of(in); }
+
+/* Longer or shorter integers. */
+static double far_units(input *in)
+{
+    static const double offsets[2][8] = {{0x1p20, 0x1p5, 0x1p8, 0x1p10, 0x1p12, 0x1p16, 0x1p18, 0x1p22},
+                                         {0x1p52, 1e7, 0x1p30, 4.6e6, 0x1p24, 0.1, 1e9, 0x1p40}};
+    const unsigned byte = input_byte(in);
+    return ((double)(byte & 31) - 16 + offsets[in->is_wide][byte >> 5]) * unit_of(in);
+}
+
+static double written(input *in, unsigned way)
 {
     if (way == ANY_WAY)
         way = input_below(in, ANY_WAY);
-    in->is_lattice = in->is_lattice && way == LATTICE;
+    in->is_lattice = in->is_lattice && way == LATTICE && !in->is_wide;
     switch (way) {
     case LATTICE:
         return few_units(in);
@@ -119,27 +125,25 @@ static float number_written(input *in, unsigned way)
     }
 }
 
-void input_remember(input *in, float number)
+static double number_written(input *in, unsigned way)
+{
+    const double number = written(in, way);
+    return in->is_wide ? number : (double)(float)number;
+}
+
+void input_remember(input *in, double number)
 {
     if (in->knowns < INPUT_KNOWN)
         in->known[in->knowns++] = number;
 }
 
-void input_numbers(input *in, float *numbers, int count)
+void input_numbers(input *in, double *numbers, int count)
 {
     const unsigned way = input_below(in, WAYS);
     for (int k = 0; k < count; k++)
         numbers[k] = number_written(in, way);
     for (int k = 0; k < count; k++)
         input_remember(in, numbers[k]);
-}
-
-void input_doubles(input *in, double numbers[3])
-{
-    float floats[3];
-    input_numbers(in, floats, 3);
-    for (int n = 0; n < 3; n++)
-        numbers[n] = (double)floats[n];
 }
 
 void move_up(double *numbers, int count, unsigned steps)
@@ -150,11 +154,11 @@ void move_up(double *numbers, int count, unsigned steps)
 }
 
 /* What a byte, past its three bits of the way, makes of a triangle: the segment, the point, or flat along an axis. */
-static void make_degenerate(float u[3][3], unsigned shape)
+static void make_degenerate(double u[3][3], unsigned shape)
 {
     for (int a = 0; a < 3; a++) {
         if (shape == 1)
-            u[2][a] = 0.5f * (u[0][a] + u[1][a]);
+            u[2][a] = 0.5 * (u[0][a] + u[1][a]);
         else if (shape == 2)
             u[1][a] = u[2][a] = u[0][a];
         else if (shape == 3 + (unsigned)a)
@@ -162,15 +166,18 @@ static void make_degenerate(float u[3][3], unsigned shape)
     }
 }
 
-void input_triangle(input *in, float u[3][3])
+void input_triangle(input *in, double u[3][3])
 {
     const unsigned kind = input_byte(in);
     for (int v = 0; v < 3; v++)
         for (int a = 0; a < 3; a++)
             u[v][a] = number_written(in, kind % WAYS);
     make_degenerate(u, kind / WAYS % 8);
-    for (int k = 0; k < 9; k++)
-        input_remember(in, u[k / 3][k % 3]);
+    for (int k = 0; k < 9; k++) {
+        double *const x = &u[k / 3][k % 3];
+        *x = in->is_wide ? *x : (double)(float)*x;
+        input_remember(in, *x);
+    }
 }
 
 /* Bits of a box's first byte after those of the way: axis a is flat where bit a is set; NO_ORDER leaves the bounds as drawn. */
@@ -181,12 +188,74 @@ tribox_box input_box(input *in)
     tribox_box box;
     const unsigned kind = input_byte(in), shape = kind / WAYS;
     for (int a = 0; a < 3; a++) {
-        const float one = number_written(in, kind % WAYS), other = number_written(in, kind % WAYS);
+        const double one = number_written(in, kind % WAYS), other = number_written(in, kind % WAYS);
         const bool is_turned = one > other && !(shape & NO_ORDER);
         box.lo[a] = is_turned ? other : one;
         box.hi[a] = shape >> a & 1 ? box.lo[a] : is_turned ? one : other;
-        input_remember(in, (float)box.lo[a]);
-        input_remember(in, (float)box.hi[a]);
+        input_remember(in, box.lo[a]);
+        input_remember(in, box.hi[a]);
     }
     return box;
+}
+
+/* The rotation of a quaternion of four small numbers, rounded. */
+static void draw_rotation(input *in, double axis[3][3])
+{
+    double q[4], square = 0;
+    for (int k = 0; k < 4; k++) {
+        q[k] = (double)input_byte(in) - 127.5;
+        square += q[k] * q[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int a = (k + 1) % 3, b = (k + 2) % 3;
+        axis[k][k] = 1 - 2 * (q[a] * q[a] + q[b] * q[b]) / square;
+        axis[k][a] = 2 * (q[k] * q[a] + q[b] * q[3]) / square;
+        axis[k][b] = 2 * (q[k] * q[b] - q[a] * q[3]) / square;
+    }
+    for (int k = 0; k < 9 && !in->is_wide; k++)
+        axis[k / 3][k % 3] = (double)(float)axis[k / 3][k % 3];
+}
+
+tribox_oriented_box input_oriented(input *in)
+{
+    tribox_oriented_box box;
+    input_numbers(in, box.center, 3);
+    input_numbers(in, box.half, 3);
+    const bool is_rotation = input_byte(in) & 1;
+    if (is_rotation)
+        draw_rotation(in, box.axis);
+    else
+        input_numbers(in, box.axis[0], 9);
+    for (int k = 0; k < 3; k++) /* a negative half length makes the whole box empty: enough for one byte in sixteen */
+        if (input_byte(in) % 16)
+            box.half[k] = fabs(box.half[k]);
+    return box;
+}
+
+drawn_options input_options(input *in)
+{
+    static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
+    drawn_options drawn = {.options.axes = input_byte(in) & 7, .wrong = 0};
+    drawn.options.axis_order = orders[input_below(in, sizeof orders / sizeof orders[0])];
+    switch (input_byte(in)) {
+    case 0xff:
+        drawn.options.accuracy = (tribox_accuracy)(TRIBOX_FAST + 1);
+        drawn.wrong = 1u << TRIBOX_BAD_OPTION;
+        break;
+    case 0xfe:
+        drawn.options.axes |= 8;
+        drawn.wrong = 1u << TRIBOX_BAD_OPTION;
+        break;
+    case 0xfd:
+        drawn.options.axis_order = 100 * input_below(in, 4) + 11;
+        drawn.wrong = 1u << TRIBOX_BAD_OPTION;
+        break;
+    case 0xfc:
+        drawn.options.kernel = "none";
+        drawn.wrong = 1u << TRIBOX_NO_KERNEL;
+        break;
+    default:
+        break;
+    }
+    return drawn;
 }

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "target.h"
+#include "ensure.h"
 
 static void fail(const char *path)
 {

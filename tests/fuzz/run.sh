@@ -10,7 +10,7 @@ shift
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=${BUILD:-$root/build-fuzz}
-targets=${*:-overlap boxes voxelize bricks fill indexed overlap_f64 soup index oriented grid files meshes command}
+targets=${*:-triangles index cells grid files meshes command}
 
 # Kernels without forced inlining compile in seconds; counters of edges alone cost half of what comparisons would.
 # shellcheck disable=SC2086

@@ -12,11 +12,11 @@ import sys
 import zipfile
 
 BITS, LATTICE, FAR_LATTICE, NEAR_KNOWN, BETWEEN_KNOWN, NASTY, POWER, ANY_WAY = range(8)
-SEGMENT, POINT, FLAT_X = 1, 2, 3
-UNIT_ONE, UNIT_EIGHTH, UNIT_HUGE, UNIT_SUBNORMAL = 0, 1, 6, 7
-NO_ORDER = 8
 BYTES_OF_NUMBER = {BITS: 4, LATTICE: 1, FAR_LATTICE: 1, NEAR_KNOWN: 2, BETWEEN_KNOWN: 3, NASTY: 1, POWER: 2}
-NAN_CODE, INFINITY_CODE = 15, 14
+UNITS = UNIT_ONE, UNIT_EIGHTH, UNIT_HUGE, UNIT_SUBNORMAL = 0, 1, 6, 7
+BOX, ORIENTED, BOXES = range(3)
+KINDS = OF_SOUP, OF_FLOATS, OF_NARROW, OF_DOUBLES = range(4)
+ERRORS = 0xff, 0xfe, 0xfd, 0xfc
 
 
 def lattice(*numbers):
@@ -27,12 +27,12 @@ def floats(*numbers):
     return struct.pack("<%df" % len(numbers), *numbers)
 
 
-def drawn(source, way, count):
+def drawn(source, way, count, is_wide=False):
     """`count` numbers, all written in one way."""
     if way == ANY_WAY:
-        return b"".join(bytes([w]) + drawn(source, w, 1) for w in source.choices(range(ANY_WAY), k=count))
+        return b"".join(bytes([w]) + drawn(source, w, 1, is_wide) for w in source.choices(range(ANY_WAY), k=count))
     if way == BITS:
-        return floats(*(source.uniform(-2, 2) for _ in range(count)))
+        return struct.pack("<%d%s" % (count, "fd"[is_wide]), *(source.uniform(-2, 2) for _ in range(count)))
     return source.randbytes(count * BYTES_OF_NUMBER[way])
 
 
@@ -54,246 +54,121 @@ CONTACTS = {
     "inside": lattice(0, 0, 0, 1, 0, 0, 0, 1, 1),
     "around": lattice(-9, -9, 0, 9, -9, 0, 0, 9, 0),
 }
-WAYS = {"bits": BITS, "lattice": LATTICE, "far_lattice": FAR_LATTICE, "near": NEAR_KNOWN, "between": BETWEEN_KNOWN,
-        "nasty": NASTY, "powers": POWER, "any_way": ANY_WAY}
-UNITS = {"unit_one": UNIT_ONE, "unit_huge": UNIT_HUGE, "unit_subnormal": UNIT_SUBNORMAL}
-ERRORS = {"accuracy": 0xff, "axes": 0xfe, "order": 0xfd, "kernel": 0xfc}
 
 
-def pairs(is_soup):
-    """A box and triangles, or a triangle and boxes: their heads are the same."""
+def things(source, kind, way, count=16, run=b"", in_frame=None):
+    """What things_draw reads; in_frame: the byte before each triangle about an oriented box, 0 where it lies in its frame."""
+    triangles = b"".join(b"\0" + source.randbytes(9) if in_frame == 0 else
+                         (b"\1" if in_frame else b"") + shape(way, drawn(source, way, 9, kind == OF_DOUBLES), source.randrange(4))
+                         for _ in range(count))
+    width = source.randrange(8)
+    numbers = source.choice((bytes(3 * count), source.randbytes(3 * count).translate(bytes(n % 250 for n in range(256))))) if width % 3 else b""
+    layout = b"" if kind == OF_SOUP else bytes([source.randrange(250), width, source.randrange(250), source.randrange(64)]) + numbers
+    return source.randbytes(1) + bytes([count - 1]) + run + triangles + layout
+
+
+def a_box(source, form, way, is_wide=False):
+    """And an oriented one: with axes of a rotation, or any."""
+    if form != ORIENTED:
+        return shape(way, drawn(source, way, 6, is_wide), source.choice((0, 0, 0, 1, 7, 8)))
+    numbers = bytes([way]) + drawn(source, way, 3, is_wide)
+    axes = source.choice((b"\1" + source.randbytes(4), b"\0" + bytes([way]) + drawn(source, way, 9, is_wide),
+                          *(b"\0" + bytes([LATTICE]) + lattice(*numbers) for numbers in
+                            ((1, 0, 0, 0, 1, 0, 0, 0, 1), (1, 1, 0, -1, 1, 0, 0, 0, 1), (1, 0, 0, 1, 1, 0, 1, 1, 1),
+                             (1, 0, 0, 1, 0, 0, 0, 0, 1), (0,) * 9))))
+    return numbers + bytes([way]) + drawn(source, way, 3, is_wide) + axes + b"\1\1" + source.randbytes(1)
+
+
+def triangles():
+    """Every form of question, every layout and every way to write numbers; the same contacts of each layout."""
     source = random.Random(1)
-    one = (lambda way, kind=0: shape(way, drawn(source, way, 6), kind)) if is_soup else \
-          (lambda way, kind=0: shape(way, drawn(source, way, 9), kind))
-    many = (lambda way, kind=0: shape(way, drawn(source, way, 9), kind)) if is_soup else \
-           (lambda way, kind=0: shape(way, drawn(source, way, 6), kind))
     files = {}
-    for name, numbers in CONTACTS.items():
-        box, triangle = UNIT_BOX, shape(LATTICE, numbers)
-        files["contact_" + name] = bytes([UNIT_ONE]) + options() + b"\0\1" + (box + triangle if is_soup else triangle + box)
-    for name, way in WAYS.items():
-        files["sixteen_" + name] = (bytes([UNIT_EIGHTH]) + options(order=source.randrange(7)) + bytes([1, 251]) +
-                                    one(BITS if way == NEAR_KNOWN else way) + b"".join(many(way) for _ in range(16)))
-    for name, unit in UNITS.items():
-        files["sixteen_" + name] = (bytes([unit]) + options() + bytes([0, 184]) + one(LATTICE) +
-                                    b"".join(many(LATTICE, source.randrange(6)) for _ in range(16)))
-    for axes in (2, 4, 6):
-        files["axes_%d" % axes] = (bytes([UNIT_ONE]) + options(axes) + bytes([3, 193]) + one(LATTICE) +
-                                   b"".join(many(LATTICE) for _ in range(12)))
-    for name, error in ERRORS.items():
-        files["wrong_" + name] = bytes([UNIT_ONE]) + options(error=error) + b"\0\1" + one(LATTICE) + many(LATTICE)
-    files["none"] = bytes([UNIT_ONE]) + options() + b"\0\0" + one(LATTICE)
-    files["not_finite"] = bytes([UNIT_ONE]) + options() + bytes([0, 190]) + one(LATTICE) + b"".join(
-        shape(NASTY, bytes([code] * 9)) for code in (NAN_CODE, INFINITY_CODE, INFINITY_CODE + 16))
-    if is_soup:
-        files["wrong_box"] = bytes([UNIT_ONE]) + options() + b"\0\5" + shape(NASTY, bytes([NAN_CODE] * 6)) + many(LATTICE)
-        files["empty_box"] = (bytes([UNIT_ONE]) + options() + b"\0\5" + shape(LATTICE, lattice(3, 1, 0, 1, 0, 1), NO_ORDER) +
-                              many(LATTICE))
-        files["flat_box"] = bytes([UNIT_ONE]) + options() + b"\0\5" + shape(LATTICE, lattice(0, 1, 0, 1, 0, 1), 1) + many(LATTICE)
-        files["point_box"] = bytes([UNIT_ONE]) + options() + b"\0\5" + shape(LATTICE, lattice(0, 1, 0, 1, 0, 1), 7) + many(LATTICE)
+    for form in (BOX, ORIENTED, BOXES):
+        for kind in KINDS[:1 if form == BOXES else 4]:
+            for way in range(8):
+                for number, axes in enumerate((0, source.choice((1, 2, 4, 5, 6)))):
+                    is_wide = kind == OF_DOUBLES and number
+                    head = bytes([source.choice(UNITS)]) + options(axes % 2 if form == ORIENTED else axes, source.randrange(7))
+                    box = a_box(source, form, BITS if way == NEAR_KNOWN else way, is_wide)
+                    boxes = bytes([15]) + b"".join(a_box(source, BOX, way) for _ in range(15)) if form == BOXES else b""
+                    files["%d_%d_%d_%d" % (form, kind, way, number)] = (
+                        head + bytes([form + 3 * kind + (96 if is_wide else 0), source.choice((16, 190, 251))]) + box +
+                        things(source, kind, way, 1 if form == BOXES else 16, in_frame=number if form == ORIENTED else None) + boxes +
+                        source.randbytes(60))
+    for kind in KINDS:
+        head = bytes([UNIT_ONE]) + options() + bytes([3 * kind, 1])
+        for name, numbers in CONTACTS.items():
+            files["contact_%s_%d" % (name, kind)] = head + UNIT_BOX + b"\0\0" + shape(LATTICE, numbers)
+        for error in ERRORS:
+            files["wrong_%d_%d" % (error, kind)] = (bytes([UNIT_ONE]) + options(error=error) + bytes([3 * kind, 5]) + UNIT_BOX +
+                                                    things(source, kind, LATTICE))
+        one = bytes([0, 0]) + shape(LATTICE, CONTACTS["plane"])
+        for name, layout in {"missing": (254, 0, 0, 0), "too_small": (0, 0, 255, 3), "six": (255, 0, 0, 0), "width_3": (0, 8, 0, 0),
+                             "behind": (0, 1, 0, 0, 0, 0, 250), "greatest": (0, 2, 0, 0, 255), "columns": (0, 1, 3, 5)}.items():
+            files["layout_%s_%d" % (name, kind)] = head + UNIT_BOX + one + bytes(layout)
+        files["none_%d" % kind] = head[:-1] + b"\0" + UNIT_BOX
+    for count in (0, 1, 63, 64, 65, 255):
+        files["mask_of_%d" % count] = bytes([UNIT_ONE]) + options() + b"\0\0" + UNIT_BOX + bytes([0, 0, LATTICE]) + bytes([0] * 9 + [0, 0, count]) + b"\xff" * 32
     return files
-
-
-def voxelize():
-    source = random.Random(2)
-    triangles = {name: (lambda way: b"".join(shape(way, drawn(source, way, 9), source.randrange(4)) for _ in range(3)))(way)
-                 for name, way in WAYS.items()}
-    window = bytes([1, 64, 1, 2, 0, 3])  # its first cell and its size on each axis, modulo what there is
-    tail = bytes([1, 0]) + window  # the cut and what is set before
-    files = {}
-    for name, bits in triangles.items():
-        grid = bytes([LATTICE]) + lattice(-8, -2, -2) + bytes([LATTICE]) + lattice(1, 2, 3) + bytes([source.randrange(12), 3, 3])
-        files["grid_of_units_" + name] = bytes([UNIT_ONE]) + options() + grid + tail + bits
-    for axes in (1, 2, 4):
-        grid = bytes([LATTICE]) + lattice(-3, -2, -1) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([8, 3, 2])
-        files["axes_%d" % axes] = bytes([UNIT_EIGHTH]) + options(axes) + grid + bytes([2, 5]) + window + triangles["lattice"]
-    for row in (0, 6, 11):
-        grid = bytes([BITS]) + floats(-0.7, -0.3, 0.1) + bytes([BITS]) + floats(0.01, 0.3, 0.2) + bytes([row, 2, 3])
-        files["row_%d" % row] = bytes([UNIT_ONE]) + options() + grid + bytes([0, 255]) + window + triangles["bits"]
-    fine = bytes([FAR_LATTICE]) + lattice(0, 1, 2) + bytes([BITS]) + floats(0.125, 0.125, 0.0625) + bytes([4, 3, 3])
-    files["as_fine_as_float"] = bytes([UNIT_ONE]) + options() + fine + tail + triangles["near"]
-    for name, cells in {"none": (0, 1, 1), "nan": (float("nan"), 1, 1), "infinite": (float("inf"), 1, 1)}.items():
-        grid = bytes([LATTICE]) + lattice(0, 0, 0) + bytes([BITS]) + floats(*cells) + bytes([4, 3, 3])
-        files["wrong_cells_" + name] = bytes([UNIT_ONE]) + options() + grid + tail + triangles["lattice"]
-    for name, unit in UNITS.items():
-        grid = bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2) + bytes([4, 3, 3])
-        files[name] = bytes([unit]) + options() + grid + tail + triangles["lattice"]
-    return files
-
-
-def bricks():
-    source = random.Random(18)
-    files = {}
-    for name, way in WAYS.items():
-        triangles = b"".join(shape(way, drawn(source, way, 9), source.randrange(4)) for _ in range(5))
-        for row in (2, 5, 7):
-            grid = bytes([LATTICE]) + lattice(-8, -4, -2) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([row, 4, 6])
-            files["%s_%d" % (name, row)] = bytes([UNIT_ONE]) + options() + grid + bytes([row % 4, 1]) + triangles
-    for axes in (1, 2, 4, 5):
-        grid = bytes([LATTICE]) + lattice(-3, -2, -1) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([4, 3, 2])
-        files["axes_%d" % axes] = (bytes([UNIT_EIGHTH]) + options(axes) + grid + bytes([0, 0, 2]) +
-                                   shape(LATTICE, lattice(*range(-4, 5))))
-    for name, unit in UNITS.items():
-        grid = bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2) + bytes([6, 6, 6])
-        files[name] = bytes([unit]) + options() + grid + bytes([1, 1]) + shape(LATTICE, lattice(*range(-4, 5)))
-    return files
-
-
-def fill():
-    source = random.Random(17)
-    files = {}
-    for name, way in WAYS.items():
-        triangles = b"".join(shape(way, drawn(source, way, 9), source.randrange(4)) for _ in range(5))
-        for row in (4, 6, 9):
-            grid = bytes([LATTICE]) + lattice(-4, -2, -2) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([row, 3, 3])
-            files["%s_%d" % (name, row)] = bytes([UNIT_ONE]) + grid + source.randbytes(96) + triangles
-    for name, unit in UNITS.items():
-        grid = bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2) + bytes([4, 3, 3])
-        files[name] = bytes([unit]) + grid + source.randbytes(32) + shape(LATTICE, lattice(*range(-4, 5)))
-    grid = bytes([LATTICE]) + lattice(0, 0, 0) + bytes([BITS]) + floats(float("nan"), 1, 1) + bytes([4, 3, 3])
-    files["wrong_cells"] = bytes([UNIT_ONE]) + grid + source.randbytes(32) + shape(LATTICE, lattice(*range(-4, 5)))
-    return files
-
-
-WIDTHS = (("uint32", 0), ("uint16", 1), ("no_indices", 2), ("three_bytes", 8))
-
-
-def indexed():
-    source = random.Random(3)
-    files = {}
-    layouts = {"packed": 0, "twelve": 64, "sixteen": 128 + 4, "odd": 128 + 1, "wide": 128 + 60, "too_small": 255}
-    for name, stride in layouts.items():
-        small = b"\5" if stride == 255 else b""
-        for width_name, width in (WIDTHS if name == "packed" else WIDTHS[:2]):
-            count = b"" if width_name == "no_indices" else bytes([190])
-            numbers = b"" if not count else source.randbytes(210).translate(bytes(n % 250 for n in range(256)))
-            vertices = b"".join(shape(LATTICE, drawn(source, LATTICE, 9)) for _ in range(8))
-            files["%s_%s" % (name, width_name)] = (bytes([UNIT_ONE]) + options() + UNIT_BOX + bytes([stride]) + small +
-                                                   bytes([source.randrange(192), width, 24]) + vertices + count + numbers +
-                                                   b"\7\40")
-    head = bytes([UNIT_ONE]) + options() + UNIT_BOX + b"\0\0"
-    one = shape(LATTICE, drawn(source, LATTICE, 9))
-    files["behind_the_last"] = head + bytes([0, 3]) + one + bytes([2, 0, 1, 2, 0, 1, 250])
-    files["greatest_uint16"] = head + bytes([1, 3]) + one + bytes([2, 255, 1, 2, 0, 1, 2])
-    files["greatest_uint32"] = head + bytes([0, 3]) + one + bytes([2, 0, 1, 2, 0, 255, 2])
-    files["no_vertices"] = head + bytes([0, 0, 1, 0, 0, 0])
-    files["nothing"] = head + bytes([0, 0, 0])
-    return files
-
-
-def overlap_f64():
-    """fuzz_overlap_f64.c writes numbers in ways of its own."""
-    source = random.Random(11)
-    bytes_of = {"eight_bytes": 8, "units": 1, "far_units": 2, "stepped": 1, "between": 2, "special": 1, "exponent": 2, "rounded": 1}
-    unit_box = bytes([1]) + b"".join(bytes([0, n]) for n in (15, 15, 15, 17, 17, 17)) + b"\0"
-
-    def many(way, count):
-        return b"".join(bytes([way]) + source.randbytes(9 * (1 + size)) for size in [list(bytes_of.values())[way]] * count)
-
-    files = {}
-    for way, name in enumerate(bytes_of):
-        for unit in range(0, 8, 3 if name == "units" else 8):
-            own_box = bytes([way]) + source.randbytes(6 * (1 + bytes_of[name])) + b"\0"
-            for box_name, box in (("unit_box", unit_box), ("own_box", own_box)):
-                files["%s_%d_%s" % (name, unit, box_name)] = (bytes([0, unit]) + options() + box + bytes([15]) + many(way, 16) +
-                                                              source.randbytes(6))
-    for name, axes in (("plane", 2), ("edges", 4), ("box_and_edges", 5)):
-        files["axes_" + name] = bytes([0, 0]) + options(axes) + unit_box + bytes([15]) + many(1, 16) + source.randbytes(6)
-    files["columns"] = bytes([0, 0]) + options() + unit_box + bytes([15]) + many(3, 16) + bytes([0, 0, 3])
-    files["floats"] = bytes([0, 0]) + options() + unit_box + bytes([15]) + many(2, 16) + bytes([4, 0, 1])
-    files["bad_index"] = bytes([0, 0]) + options() + unit_box + bytes([3]) + many(1, 4) + bytes([0, 1, 30, 0, 251])
-    files["bad_size"] = bytes([0, 0]) + options() + unit_box + bytes([3]) + many(1, 4) + bytes([255, 0, 0])
-    return files
-
-
-def soup():
-    """As for tribox_overlap, followed by a count and the words of a mask."""
-    files = pairs(True)
-    kept = [name for name in files
-            if name.startswith(("contact_", "not_finite", "empty_box", "wrong_box", "sixteen_n", "sixteen_a"))]
-    return {**{name: files[name] for name in kept},
-            **{"mask_of_%d" % count: files["none"] + shape(LATTICE, bytes(9)) + bytes([count]) + b"\xff" * 32
-               for count in (0, 1, 63, 64, 65, 255)}}
 
 
 def index():
-    """Boxes, a soup of runs, the range of an update, a quarter that also says what mesh it is, and what is damaged: two bytes of a place, a length, a value."""
     source = random.Random(6)
+    around, flat = shape(LATTICE, lattice(-16, 15, -16, 15, -16, 15)), shape(LATTICE, lattice(0, 1, -5, 5, -5, 5), 1)
     files = {}
-
-    def soup(way, count, many, run, kinds=16):
-        return bytes([count, many, run, kinds - 1]) + b"".join(shape(way, drawn(source, way, 9), source.randrange(4))
-                                                               for _ in range(kinds))
-
-    around = shape(LATTICE, lattice(-16, 15, -16, 15, -16, 15))
-    flat = shape(LATTICE, lattice(0, 1, -5, 5, -5, 5), 1)
-    for name, way in WAYS.items():
-        boxes = UNIT_BOX + shape(way, drawn(source, way, 6)) + around
-        for many in (0, 1):
-            files["%s_%s" % (name, ("few", "nodes")[many])] = (bytes([UNIT_EIGHTH]) + options() + bytes([many]) + boxes +
-                                                               soup(way, 255 if many else 180, many, 63) + bytes([40, 99, way]))
-    for name, unit in UNITS.items():
-        files[name] = bytes([unit]) + options(1) + b"\3" + flat + around + UNIT_BOX + soup(LATTICE, 255, 1, 255) + bytes([1, 1])
-    for name, bad in {"nan": NAN_CODE, "infinity": INFINITY_CODE}.items():
-        dirty = bytes([250, 0, 63, 1]) + shape(LATTICE, lattice(0, 0, 0, 1, 0, 0, 0, 1, 1)) + shape(NASTY, bytes([bad] * 9))
-        files[name] = bytes([UNIT_ONE]) + options() + b"\1" + UNIT_BOX + around + shape(NASTY, bytes([bad] * 6)) + dirty
-    for name, error in ERRORS.items():
-        files["wrong_" + name] = bytes([UNIT_ONE]) + options(error=error) + b"\0" + UNIT_BOX * 3 + soup(LATTICE, 190, 0, 9)
-    files["wrong_axes_set"] = bytes([UNIT_ONE]) + options(6) + b"\0" + UNIT_BOX * 3 + soup(LATTICE, 190, 0, 9)
-    files["none"] = bytes([UNIT_ONE]) + options() + b"\0" + UNIT_BOX * 3 + bytes([0, 0, 0, 0])
-    whole, bounds = bytes([6, 0, 7, 255]), bytes([0, 0, 255, 0, 3, 0, 255, 0])
-    for count in (0, 1, 185, 255):
-        for name, changes in {"whole": whole, "bounds": bounds, "both": bounds + whole, "bytes": source.randbytes(200)}.items():
-            files["damaged_%s_%d" % (name, count)] = (bytes([UNIT_ONE]) + options() + b"\5" + UNIT_BOX + around + flat +
-                                                      soup(LATTICE, count, 1, 63, 4) + bytes([0, 0, count]) + changes)
+    for kind in KINDS:
+        for way in range(8):
+            for many in (0, 1):
+                boxes = source.choice((UNIT_BOX, flat)) + a_box(source, BOX, way) + around
+                damage = source.choice((b"\0", bytes([1, 6, 0, 7, 255]), bytes([9, 0, 0, 255, 0, 3, 0, 255, 0]), b"\xff" + source.randbytes(130)))
+                files["%d_%d_%d" % (kind, way, many)] = (
+                    bytes([source.choice(UNITS)]) + options(source.choice((0, 0, 1, 3))) +
+                    bytes([many + 2 * kind, 255 if many else source.choice((0, 1, 180, 250))]) + boxes +
+                    things(source, kind, way, run=bytes([source.choice((0, 63, 255))]) if many else b"") + source.randbytes(3) + damage)
+    for error in ERRORS:
+        files["wrong_%d" % error] = bytes([UNIT_ONE]) + options(error=error) + b"\0\276" + UNIT_BOX * 3 + things(source, OF_SOUP, LATTICE)
+    files["wrong_axes"] = bytes([UNIT_ONE]) + options(6) + b"\0\276" + UNIT_BOX * 3 + things(source, OF_SOUP, LATTICE)
+    files["wrong_box"] = bytes([UNIT_ONE]) + options() + b"\0\276" + shape(NASTY, bytes([15] * 6)) * 3 + things(source, OF_SOUP, LATTICE)
     return files
 
 
-def oriented():
-    source = random.Random(4)
-    anywhere, in_frame, any_frame, rotation, positive = b"\1", b"\0", b"\0", b"\1", b"\1\1\1\0"  # the last is of floats
+def cells():
+    """Grids of each length of rows, of units and not, as fine as float and refused; then what is asked, walls and triangles."""
+    source = random.Random(2)
     files = {}
 
-    def drawn_anywhere(way, count):
-        return b"".join(anywhere + shape(way, drawn(source, way, 9)) for _ in range(count))
+    def add(name, how, places, sizes, steps, kind, way, unit=UNIT_ONE, is_wide=0):
+        asked = bytes([steps % 3, source.choice((0, 5, 255)), 1, 64, 1, 2, 0, 3, steps % 4, source.choice((0, 1, 2)), 3][:10 + (steps % 4 == 0)])
+        files[name] = (bytes([unit]) + how + bytes([kind + 128 * is_wide]) + places + bytes(sizes) + asked + source.randbytes(16) + b"\5" +
+                       things(source, kind, way, 6))
 
-    def drawn_in_frame(count):
-        return b"".join(in_frame + source.randbytes(9) for _ in range(count))
-
-    frames = {"unit": (1, 0, 0, 0, 1, 0, 0, 0, 1), "diagonal": (1, 1, 0, -1, 1, 0, 0, 0, 1), "sheared": (1, 0, 0, 1, 1, 0, 1, 1, 1),
-              "flat": (1, 0, 0, 1, 0, 0, 0, 0, 1), "zero": (0,) * 9}
-    middle = bytes([LATTICE]) + lattice(0, 1, 0) + bytes([LATTICE]) + lattice(2, 1, 3)
-    for frame, axes in frames.items():
-        box = middle + any_frame + bytes([LATTICE]) + lattice(*axes) + positive
-        for name in ("lattice", "near"):
-            files["%s_%s" % (frame, name)] = bytes([UNIT_ONE]) + options() + bytes([0, 190]) + box + drawn_anywhere(WAYS[name], 5)
-        files[frame + "_in_frame"] = bytes([UNIT_ONE]) + options(int(frame == "unit")) + bytes([0, 190]) + box + drawn_in_frame(8)
-    for name, unit in UNITS.items():
-        box = middle + any_frame + bytes([LATTICE]) + lattice(1, 2, 0, -2, 1, 0, 0, 0, 3) + positive
-        files[name] = bytes([unit]) + options() + bytes([0, 190]) + box + drawn_anywhere(LATTICE, 5)
-    for name in ("bits", "far_lattice", "between", "nasty"):
-        box = (bytes([BITS]) + floats(0.1, 0.2, 0.3) + bytes([BITS]) + floats(0.5, 0.25, 1) + rotation + source.randbytes(4) +
-               positive)
-        files["rotated_" + name] = bytes([UNIT_EIGHTH]) + options() + bytes([1, 190]) + box + drawn_anywhere(WAYS[name], 8)
-    for number in range(4):
-        box = (bytes([BITS]) + drawn(source, BITS, 3) + bytes([BITS]) + drawn(source, BITS, 3) + rotation + source.randbytes(4) +
-               positive)
-        files["rotated_%d_in_frame" % number] = (bytes([UNIT_EIGHTH]) + options(number & 1) + bytes([1, 190]) + box +
-                                                 drawn_in_frame(16))
-    for form in range(1, 8):
-        box = (bytes([BITS]) + floats(0.1, 0.2, 0.3) + bytes([BITS]) + floats(0.5, 0.25, 1) + rotation + source.randbytes(4) +
-               positive[:3] + bytes([form]))
-        files["doubles_%d" % form] = bytes([UNIT_EIGHTH]) + options() + bytes([1, 190]) + box + drawn_in_frame(16) + source.randbytes(200)
-    long = middle + any_frame + bytes([FAR_LATTICE]) + lattice(1, 2, 3, 4, 5, 6, 7, 8, 9) + positive
-    files["long_numbers"] = (bytes([UNIT_ONE]) + options() + bytes([0, 10]) + long + drawn_anywhere(FAR_LATTICE, 5) +
-                             drawn_in_frame(5))
+    units = bytes([LATTICE]) + lattice(-8, -2, -2) + bytes([LATTICE]) + lattice(1, 2, 3)
+    odd = bytes([BITS]) + floats(-0.7, -0.3, 0.1) + bytes([BITS]) + floats(0.01, 0.3, 0.2)
+    for kind in KINDS:
+        for way in range(8):
+            row = source.randrange(15)
+            add("%d_%d" % (kind, way), options(), source.choice((units, odd)), (row + 15 * source.randrange(9), source.randrange(7), source.randrange(7)),
+                way, kind, way, source.choice((UNIT_ONE, UNIT_EIGHTH)))
+        for axes in (1, 2, 4, 5):
+            add("axes_%d_%d" % (axes, kind), options(axes), units, (4, 2, 1), axes, kind, LATTICE, UNIT_EIGHTH)
+    for row in range(15):
+        add("row_%d" % row, options(), odd, (row, 4, 2), row, row % 4, BITS)
+    fine = bytes([FAR_LATTICE]) + lattice(0, 1, 2) + bytes([BITS]) + floats(0.125, 0.125, 0.0625)
+    add("as_fine_as_float", options(), fine, (4, 3, 2), 1, OF_SOUP, NEAR_KNOWN)
+    for number, cell in enumerate((0, float("nan"), float("inf"))):
+        add("wrong_cells_%d" % number, options(), bytes([LATTICE]) + lattice(0, 0, 0) + bytes([BITS]) + floats(cell, 1, 1), (4, 3, 3), 1, OF_SOUP, LATTICE)
+    for unit in UNITS:
+        add("unit_%d" % unit, options(), bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2), (8, 4, 4), 1, unit % 4, LATTICE, unit)
+        add("wide_%d" % unit, options(), bytes([POWER]) + source.randbytes(6) + bytes([LATTICE]) + lattice(2, 4, 2), (8, 4, 4), 1, OF_DOUBLES, LATTICE, unit, 1)
+    for error in ERRORS:
+        add("wrong_%d" % error, options(error=error), units, (4, 3, 3), 1, OF_SOUP, LATTICE)
     return files
 
 
 def grid():
     source = random.Random(5)
     files = {}
-    for name, way in list(WAYS.items())[::3]:
+    for name, way in ("bits", BITS), ("near", NEAR_KNOWN), ("powers", POWER):
         triangles = b"".join(shape(way, drawn(source, way, 9)) for _ in range(3))
         files["resolution_" + name] = bytes([UNIT_ONE, 0, 0, 1, 99, 0]) + bytes([4, 4, 4]) + triangles
         files["cell_" + name] = bytes([UNIT_ONE, 0, 0, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([0, 4, 4, 4]) + triangles
@@ -537,20 +412,18 @@ def command():
     return {name: "\n".join(line.split(" ")).encode() + b"\n" for name, line in lines.items()}
 
 
-TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "bricks": bricks,
-           "fill": fill, "indexed": indexed, "soup": soup, "overlap_f64": overlap_f64, "index": index,
-           "oriented": oriented, "grid": grid, "files": files, "meshes": meshes, "command": command}
+TARGETS = (triangles, index, cells, grid, files, meshes, command)
 
 
 def main():
     shutil.rmtree(sys.argv[1], ignore_errors=True)
-    for target, make in TARGETS.items():
-        folder = os.path.join(sys.argv[1], target)
+    for make in TARGETS:
+        folder = os.path.join(sys.argv[1], make.__name__)
         os.makedirs(folder)
         for name, content in make().items():
             with open(os.path.join(folder, name), "wb") as file:
                 file.write(content)
-            print(f"{target}/{name}")
+            print(f"{make.__name__}/{name}")
 
 
 if __name__ == "__main__":

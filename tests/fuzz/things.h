@@ -1,0 +1,68 @@
+/* things.h - triangles in any layout, and regions: what is true of them, and the calls that have a form for each. */
+#ifndef TRIBOX_TESTS_FUZZ_THINGS_H
+#define TRIBOX_TESTS_FUZZ_THINGS_H
+
+#include "ensure.h"
+#include "input.h"
+
+/* Different triangles are few, since the oracle is slow; they are repeated as often as one likes. */
+enum { DRAWN_MAX = 16 };
+
+typedef struct things {
+    double u[DRAWN_MAX][3][3];
+    unsigned drawn;
+    size_t count, run; /* triangle i is u[i / run % drawn] */
+    bool is_mesh;
+    tribox_soup soup;
+    tribox_mesh mesh;
+    unsigned wrong;         /* with the mesh; as bits of 1 << status */
+    bool is_bad[DRAWN_MAX]; /* one corner is no vertex */
+    size_t bad, first_bad;  /* corners that are no vertices */
+} things;
+
+/* Kinds: a soup; a mesh of floats; of doubles that are floats; of any doubles. Vertices may lie about a frame. */
+enum { OF_SOUP, OF_FLOATS, OF_NARROW, OF_DOUBLES, KINDS };
+void things_draw(input *in, unsigned kind, size_t count, const tribox_oriented_box *frame, things *t);
+
+/* The drawn triangles as nine streams of exact size, `shift` floats off an aligned place. */
+void things_lay_soup(things *t, size_t shift);
+
+/* Some of the triangles, in the same memory. */
+things things_part(const things *t, size_t first, size_t count);
+
+typedef const double (*corners)[3];
+static inline corners things_triangle(const things *t, size_t i) { return (corners)t->u[i / t->run % t->drawn]; }
+
+bool are_finite(const double *numbers, int count);
+bool box_is_finite(const tribox_box *box);
+bool oriented_is_finite(const tribox_oriented_box *box);
+
+/* By comparison of every coordinate with the bounds. */
+bool triangle_is_inside(corners u, const tribox_box *box);
+
+tribox_status things_overlap(const things *t, const tribox_region *region, const tribox_options *o, uint64_t *mask,
+                             tribox_report *report);
+tribox_status things_classify(const things *t, const tribox_box *box, const tribox_options *o, uint64_t *mask, uint64_t *inside,
+                              tribox_report *report);
+
+/* A stream of exact size, `shift` floats off an aligned place. */
+float *tight_stream(size_t count, size_t shift);
+
+/* The kernels that run here, the scalar one first; NULL after the last. */
+const char *const *runnable_kernels(void);
+
+/* At each accuracy, on each kernel. */
+typedef void asking(const void *about, const tribox_options *o);
+void ask_everywhere(tribox_options o, asking *ask, const void *about);
+
+static inline bool mask_bit(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
+
+/* The set bits; those past `count` are claimed to be clear. */
+size_t mask_population(const uint64_t *mask, size_t count);
+
+/* The first bit that is `wanted`, or the count. */
+size_t first_bit(const uint64_t *mask, size_t count, bool wanted);
+
+bool is_same_mask(const uint64_t *one, const uint64_t *other, size_t count);
+
+#endif
