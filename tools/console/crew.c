@@ -1,4 +1,4 @@
-/* crew.c - calls threads and waits for them. Between works they are parked, and not started anew (bench/files.md). */
+/* crew.c - calls threads and waits for them. Between works they are parked, and not started anew (bench/findings.md). */
 #include "crew.h"
 
 #include <pthread.h>

@@ -12,7 +12,7 @@
 
 /*
  * Whether all cells at once take less time than tile by tile, and are the same: up to 2 MB of bits, which a core has at hand, and
- * with many triangles up to what the last cache holds (bench/files.md).
+ * with many triangles up to what the last cache holds (bench/findings.md).
  */
 static bool is_grid_small(const voxelize_request *r, const tribox_grid *grid, size_t triangles)
 {
