@@ -74,7 +74,7 @@ static bool ask_about(asked *q, const scene *at, const contestant *list, size_t 
                                                                                asked_allocate(at->work.words, sizeof *other);
     const truth from = truth_of_work(&at->work);
     const bool is_timed = !asked_has(q, OPTION_VERIFY);
-    bool is_right = asked_verify(q, at->name, list, count, &from) && contestant_truth(&at->work, TRIBOX_AXES_ALL, exact);
+    bool is_right = asked_verify(q, at->name, list, count, &from) && from.find(&at->work, TRIBOX_AXES_ALL, exact);
     if (is_right && is_timed)
         asked_measure(q, at->name, list, count, NULL, asked_effort(q, 15, 3, 2e-3), at->work.words);
     printout_table(&q->out, "scene %s: %zu triangles, %s", at->name, pairs, at->what);

@@ -324,13 +324,13 @@ static void tell_scene(asked *q, const double_scene *at, const contestant *list,
                    100 * (double)q->scores[DOUBLE_NINE].undecided / (double)at->count);
     for (size_t k = 0; k < count; k++) {
         const bool is_double = k == DOUBLE_NINE || k == DOUBLE_INDEXED;
-        ns[k] = measure_spread(&q->taken, k).least;
+        ns[k] = measure_least(&q->taken, k);
         printout_text(&q->out, "triangles", list[k].name);
         printout_text_data(&q->out, "scene", at->name);
         printout_times(&q->out, &q->taken, k);
         printout_number(&q->out, "times_floats", 3, is_double ? ns[k] / ns[k - DOUBLE_NINE + FLOAT_NINE] : (double)NAN);
         printout_number(&q->out, "times_reading", 3,
-                        is_double ? ns[k] / measure_spread(&q->taken, k - DOUBLE_NINE + READ_NINE).least : (double)NAN);
+                        is_double ? ns[k] / measure_least(&q->taken, k - DOUBLE_NINE + READ_NINE) : (double)NAN);
         printout_number(&q->out, "times_nine_doubles", 1, k == PEER ? ns[k] / ns[DOUBLE_NINE] : (double)NAN);
         printout_row(&q->out);
     }
@@ -381,7 +381,7 @@ static void run_stage(asked *q, stage_scene which, double *ns)
     if (!list[1].run(&list[1], mask, &report))
         exit(message_failure("the library refuses a scene"));
     asked_measure(q, "stage", list, 2, NULL, asked_effort(q, 51, 8, 1e-3), words);
-    const double more = measure_spread(&q->taken, 1).least - measure_spread(&q->taken, 0).least;
+    const double more = measure_least(&q->taken, 1) - measure_least(&q->taken, 0);
     *ns = report.undecided ? more * (double)at[1].count / (double)report.undecided : 0;
     printout_text(&q->out, "settled", stage_names[which]);
     printout_number(&q->out, "triangles", 0, (double)report.undecided);

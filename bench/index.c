@@ -13,7 +13,7 @@
 #include "index/index_forms.h"
 #include "index/ordered_soup.h"
 #include "questions.h"
-#include "timing/weld.h"
+#include "timing/timing.h"
 
 /* What is asked of whom. */
 typedef enum kind { OF_FILE, OF_CUTS, TURNED, WIDE_BOXES, OF_MESH, OF_DOUBLES, KINDS } kind;
@@ -191,8 +191,8 @@ static void measure_builds(asked *q, field *f, effort how, scene_result *r)
     }
     asked_measure(q, "build", list, BUILDS + 1, NULL, how, 1);
     for (size_t k = 0; k < BUILDS; k++)
-        r->build[kinds[k]] = measure_spread(&q->taken, k).least;
-    r->reading = measure_spread(&q->taken, BUILDS).least;
+        r->build[kinds[k]] = measure_least(&q->taken, k);
+    r->reading = measure_least(&q->taken, BUILDS);
     r->order = f->cuts.cost.order;
 }
 
@@ -250,12 +250,12 @@ static bool ask_size(asked *q, field *f, int size, effort how, scene_result *r)
     }
     asked_measure(q, "forms", list, KINDS * FORMS, NULL, how, 1);
     for (size_t c = 0; c < KINDS * FORMS; c++)
-        r->us[size][c / FORMS][c % FORMS] = 1e-3 * measure_spread(&q->taken, c).least;
+        r->us[size][c / FORMS][c % FORMS] = 1e-3 * measure_least(&q->taken, c);
     for (index_form form = FORM_LIST; form < FORMS; form++)
         list[form] = index_contestant(&questions[OF_CUTS], form, true, q->kernel);
     asked_measure(q, "cold", list, FORMS, NULL, (effort){.rounds = how.rounds, .seconds = 1e9}, 1);
     for (size_t form = 0; form < FORMS; form++)
-        cold[form] = 1e-3 * measure_spread(&q->taken, form).least;
+        cold[form] = 1e-3 * measure_least(&q->taken, form);
     for (kind k = OF_FILE; k < KINDS; k++)
         tell_forms(q, &questions[k], size, false, index_hits(&questions[k], q->kernel), r->us[size][k]);
     tell_forms(q, &questions[OF_CUTS], size, true, (double)NAN, cold);
@@ -359,9 +359,9 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
         asked_measure(q, "many", list, MANY_RUNS, NULL, how, 1);
         printout_number(&q->out, "box_%", 1, 100 * box_part[size]);
         printout_number(&q->out, "boxes", 0, (double)count);
-        printout_number(&q->out, "as_drawn", 0, measure_spread(&q->taken, AS_DRAWN).least);
-        printout_number(&q->out, "in_order", 0, measure_spread(&q->taken, IN_ORDER).least);
-        printout_number(&q->out, "ordering", 0, measure_spread(&q->taken, ORDERING).least);
+        printout_number(&q->out, "as_drawn", 0, measure_least(&q->taken, AS_DRAWN));
+        printout_number(&q->out, "in_order", 0, measure_least(&q->taken, IN_ORDER));
+        printout_number(&q->out, "ordering", 0, measure_least(&q->taken, ORDERING));
         printout_row(&q->out);
     }
     void *const rooms[] = {boxes, m.bounds[0], m.bounds[1], m.order, m.list, m.scratch, m.start};

@@ -10,7 +10,7 @@
 #include "paper/paper.h"
 #include "questions.h"
 #include "read/mesh.h"
-#include "timing/weld.h"
+#include "timing/timing.h"
 
 enum { SIDE = 128, DEPTH_MAX = 9 };
 
@@ -199,11 +199,11 @@ static bool run_depth(asked *q, const char *name, octree *o)
     measure(list, WAYS, asked_effort(q, 5, 1e9, 0), &q->order, (uint64_t *)(void *)o, &q->taken);
     printout_table(&q->out, "%s, %zu triangles, depth %d: %zu leaves", name, o->mesh.count, o->depth, leaves[EIGHT]);
     for (size_t w = 0; w < WAYS; w++) {
-        const double least = measure_spread(&q->taken, w).least;
+        const double least = measure_least(&q->taken, w);
         printout_text(&q->out, "way", ways[w].name);
         printout_number(&q->out, "ms", 1, 1e-6 * least);
-        printout_number(&q->out, "times_the_paper's_speed", 2, measure_spread(&q->taken, PAPER).least / least);
-        printout_number(&q->out, "times_eight_calls", 2, measure_spread(&q->taken, EIGHT).least / least);
+        printout_number(&q->out, "times_the_paper's_speed", 2, measure_least(&q->taken, PAPER) / least);
+        printout_number(&q->out, "times_eight_calls", 2, measure_least(&q->taken, EIGHT) / least);
         printout_number(&q->out, "leaves", 0, (double)leaves[w]);
         printout_row(&q->out);
     }

@@ -30,7 +30,7 @@ static void tell_row(asked *q, const scene *at, const contestant *list, size_t c
     printout_number(out, "times_baseline's_speed", 2, speed.median);
     printout_number(out, "from", 2, speed.lower_quartile);
     printout_number(out, "to", 2, speed.upper_quartile);
-    printout_number(out, "by_least", 2, measure_spread(&q->taken, 0).least / measure_spread(&q->taken, c).least);
+    printout_number(out, "by_least", 2, measure_least(&q->taken, 0) / measure_least(&q->taken, c));
     printout_number(out, "times_own_fast's_ns", 2, fast == c ? (double)NAN : measure_ratio(&q->taken, c, fast).median);
     printout_number(out, "undecided_%", 4,
                     list[c].options.kernel ? 100 * (double)q->scores[c].undecided / (double)at->work.pairs : (double)NAN);

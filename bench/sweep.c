@@ -2,8 +2,6 @@
  * sweep.c - what does each accuracy, choice and order of the axes cost, how often does it err, and why? What tribox sweep says of a
  * mesh, for scenes too: all contestants of a scene run interleaved.
  */
-#include "sweep/order_sweep.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +12,7 @@
 #include "paper/paper.h"
 #include "questions.h"
 #include "read/mesh.h"
-#include "sweep/order_why.h"
-#include "sweep/sweep_work.h"
+#include "sweep/sweep.h"
 
 static const char *const axes_names[] = {"", "box", "plane", "box+plane", "edges", "box+edges", "plane+edges", "all"};
 
@@ -53,8 +50,7 @@ static double undecided_ns(const found *f, size_t c)
 {
     const double share = share_of(f->scores[c].undecided, f->pairs, 1), least_share = 5e-3;
     const size_t fast = entry_fast_of(f->list, f->count, c);
-    return fast == c || share < least_share ? (double)NAN
-                                            : (measure_spread(f->taken, c).least - measure_spread(f->taken, fast).least) / share;
+    return fast == c || share < least_share ? (double)NAN : (measure_least(f->taken, c) - measure_least(f->taken, fast)) / share;
 }
 
 static void tell_accuracy(printout *out, const found *f, size_t c)

@@ -14,7 +14,7 @@
 #include "console/clock.h"
 #include "questions.h"
 #include "read/mesh.h"
-#include "timing/work.h"
+#include "timing/timing.h"
 #include "voxelize/layers.h"
 #include "voxels/voxel_rivals.h"
 
@@ -292,9 +292,9 @@ static void choose_step(task *t, contestant *rival, int c, double limit, size_t 
 static void tell(asked *q, const task *t, const contestant *list)
 {
     const double triangles = (double)t->at->soup.count, set = (double)q->scores[EXACT].overlapping;
-    const double exact = measure_spread(&q->taken, EXACT).least;
+    const double exact = measure_least(&q->taken, EXACT);
     for (size_t c = 0; c < TIMED; c++) {
-        const double ns = measure_spread(&q->taken, c).least; /* other work only ever adds to a time */
+        const double ns = measure_least(&q->taken, c); /* other work only ever adds to a time */
         const bool has_unlike = list[c].promise == PROMISE_ROUNDED;
         printout_text(&q->out, "contestant", list[c].name);
         printout_text_data(&q->out, "scene", t->name);
@@ -352,7 +352,7 @@ static bool ask_about(asked *q, const char *name, const timing_job *at, means *o
         t.sample = asked_allocate(at->soup.count, sizeof *t.sample);
         is_right = answer_task(q, &t);
         for (size_t c = 0; is_right && of_meshes && c < TIMED; c++)
-            of_meshes->logarithm[r][c] += log(measure_spread(&q->taken, c).least / measure_spread(&q->taken, EXACT).least);
+            of_meshes->logarithm[r][c] += log(measure_least(&q->taken, c) / measure_least(&q->taken, EXACT));
         voxel_words_free(&t.answer);
         free(t.bits);
         free(t.sample);

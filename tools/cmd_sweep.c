@@ -12,14 +12,12 @@
 #include "console/option_reader.h"
 #include "console/options.h"
 #include "console/processors.h"
-#include "sweep/order_report.h"
 #include "console/output.h"
 #include "console/terminal.h"
 #include "files/named_file.h"
 #include "read/mesh_kind.h"
 #include "read/mesh_shift.h"
-#include "sweep/sweep_chart.h"
-#include "sweep/sweep_work.h"
+#include "sweep/sweep.h"
 
 static const char help[] = "tribox sweep - which order of the axes is fastest for a mesh, and why?\n"
                            "\n"
@@ -140,22 +138,11 @@ typedef struct findings {
     sweep s;
     why w;
     sweep_advice advice;
-    char advice_text[256];
 } findings;
-
-static void print_tables(const findings *f)
-{
-    putchar('\n');
-    report_times(stdout, &f->s);
-    putchar('\n');
-    report_axes(stdout, &f->s, &f->w);
-    putchar('\n');
-    report_why(stdout, &f->w);
-}
 
 static void print_text(const findings *f)
 {
-    printf("%s\n\n", f->advice_text);
+    printf("%s\n\n", f->advice.text);
     printf("mesh         %s\n", f->r->mesh_path);
     if (f->r->shift.is_wanted) {
         printf("shift        ");
@@ -169,9 +156,9 @@ static void print_text(const findings *f)
     printf("tested       %s\n", f->work_text);
     printf("pairs        %zu, of which %zu overlap (%.2f %%)\n", f->work->pairs, f->w.overlapping,
            100 * (double)f->w.overlapping / (double)f->w.pairs);
-    report_best(stdout, &f->s);
+    report_best(&f->s);
     if (f->r->wants_tables)
-        print_tables(f);
+        report_tables(&f->s, &f->w);
 }
 
 static void print_json(const findings *f)
@@ -184,14 +171,13 @@ static void print_json(const findings *f)
         json_doubles(&to, "shift", f->r->shift.by, 3, false);
     json_string(&to, "tested", f->work_text);
     json_whole(&to, "soups", f->work->count);
-    report_json_why(&to, &f->w);
-    report_json_sweep(&to, &f->s);
+    report_json(&to, &f->s, &f->w);
     json_open_object(&to, "advice");
     json_string(&to, "kernel", f->advice.kernel);
     json_whole(&to, "order", f->advice.order);
     json_whole(&to, "axes", f->advice.axes);
     json_number(&to, "gain_percent", 4, 100 * f->advice.gain);
-    json_string(&to, "text", f->advice_text);
+    json_string(&to, "text", f->advice.text);
     json_close(&to);
     json_close(&to);
 }
@@ -207,7 +193,6 @@ static int find(findings *f)
         return message_failure("%s: %s", f->r->mesh_path, failure);
     why_find(f->work, &f->w);
     f->advice = sweep_advise(&f->s);
-    sweep_advice_text(&f->advice, f->advice_text, sizeof f->advice_text);
     return EXIT_CODE_OK;
 }
 

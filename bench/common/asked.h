@@ -4,7 +4,7 @@
 
 #include "mesh_list.h"
 #include "printout.h"
-#include "timing/verify.h"
+#include "timing/timing.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -5,7 +5,7 @@
 #ifndef BENCH_ENTRIES_H
 #define BENCH_ENTRIES_H
 
-#include "timing/contestant.h"
+#include "timing/timing.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "console/json.h"
-#include "timing/measure.h"
+#include "timing/timing.h"
 
 #ifdef __cplusplus
 extern "C" {

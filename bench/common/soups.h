@@ -2,7 +2,7 @@
 #ifndef BENCH_SOUPS_H
 #define BENCH_SOUPS_H
 
-#include "timing/work.h"
+#include "timing/timing.h"
 
 #ifdef __cplusplus
 extern "C" {

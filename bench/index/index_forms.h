@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "timing/contestant.h"
+#include "timing/timing.h"
 
 #ifdef __cplusplus
 extern "C" {

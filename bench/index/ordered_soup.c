@@ -9,7 +9,7 @@
 
 #include "console/message.h"
 
-/* Of the processor, as in timing/measure.c. */
+/* Of the processor, as in timing/timing.c. */
 static double seconds_now(void)
 {
     struct timespec now;

@@ -6,7 +6,7 @@ RINGS, CORNERS = 400, 60
 
 
 def point(ring, corner):
-    """As knot_point of tools/demo/scene.c."""
+    """As knot_point of tools/cmd_demo.c."""
     radius, swing, tube = 2, 0.85, 0.42
     t, turn = 2 * pi * ring / RINGS, 2 * pi * corner / CORNERS
     cp, sp, cq, sq = cos(2 * t), sin(2 * t), cos(3 * t), sin(3 * t)

@@ -239,5 +239,5 @@ void field_time(field *f, size_t rounds, size_t linear_boxes, generator *order, 
     }
     measure(list, timed, (effort){.rounds = rounds, .seconds = 1e9, .sample = 2e-3}, order, f->room.mask, &taken);
     for (size_t c = 0; c < timed; c++)
-        us[place[c]] = 1e-3 * measure_spread(&taken, c).least;
+        us[place[c]] = 1e-3 * measure_least(&taken, c);
 }

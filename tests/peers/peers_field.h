@@ -5,7 +5,7 @@
 #include "index/index_forms.h"
 #include "index/ordered_soup.h"
 #include "peer.h"
-#include "timing/measure.h"
+#include "timing/timing.h"
 
 enum { PEERS_MAX = 4, FIELD_MAX = 3 + 2 * PEERS_MAX };
 

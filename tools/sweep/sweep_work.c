@@ -1,35 +1,258 @@
-/* sweep_work.c - makes the soups and boxes that a sweep times. */
-#include "sweep_work.h"
-
+/* sweep_work.c - makes the soups and boxes that a sweep times: one box, cells that a mesh overlaps, or the leaves of an octree. */
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "console/message.h"
+#include "sweep.h"
 
 /* Enough for the clock and for the caches; more only takes longer. */
-enum { PAIRS = 20000, CELLS_LEAST = 2, CELLS_MOST = 64 };
+enum { PAIRS = 20000, CELLS_LEAST = 2, CELLS_MOST = 64, CHILDREN = 8 };
 
-static int make_box(const char *path, const mesh *m, const tribox_box *box, timing_work *work)
+static bool is_finite(const tribox_soup *soup, size_t i)
 {
-    if (!timing_work_make(work, 1, timing_work_room(m->soup.count)))
-        return message_failure("%s: out of memory for %zu triangles", path, m->soup.count);
-    const timing_job job = timing_work_copy(work, &m->soup, NULL, m->soup.count);
+    for (int j = 0; j < 3; j++)
+        if (!isfinite(soup->x[j][i]) || !isfinite(soup->y[j][i]) || !isfinite(soup->z[j][i]))
+            return false;
+    return true;
+}
+
+/* The cube about all finite triangles. */
+static tribox_box cube_over(const tribox_soup *soup)
+{
+    const float *const *const streams[3] = {soup->x, soup->y, soup->z};
+    tribox_box all = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    double side = 0;
+    for (size_t i = 0; i < soup->count; i++)
+        for (int k = 0; is_finite(soup, i) && k < 9; k++) {
+            all.lo[k % 3] = fmin(all.lo[k % 3], (double)streams[k % 3][k / 3][i]);
+            all.hi[k % 3] = fmax(all.hi[k % 3], (double)streams[k % 3][k / 3][i]);
+        }
+    for (int a = 0; a < 3; a++)
+        side = fmax(side, all.hi[a] - all.lo[a]);
+    for (int a = 0; a < 3; a++)
+        all.hi[a] = all.lo[a] + side;
+    return all;
+}
+
+/* ---- cells of a grid --------------------------------------------------------------------------------------------------------- */
+
+/* Plane k on an axis, of `along` cells: one number for the two cells that share it. */
+static float plane_at(const tribox_box *over, int a, unsigned along, unsigned k)
+{
+    return (float)(over->lo[a] + (over->hi[a] - over->lo[a]) * k / along);
+}
+
+/* Uniform in a triangle: a point of a parallelogram, folded back over its diagonal. */
+static tribox_box cell_of_random_point(const tribox_box *over, unsigned along, const float t[3][3], generator *g)
+{
+    double s = (double)random_between(g, 0, 1), r = (double)random_between(g, 0, 1);
+    tribox_box cell;
+    if (s + r > 1) {
+        s = 1 - s;
+        r = 1 - r;
+    }
+    for (int a = 0; a < 3; a++) {
+        const double first = (double)t[0][a], point = first + s * ((double)t[1][a] - first) + r * ((double)t[2][a] - first);
+        const double side = over->hi[a] - over->lo[a], place = side > 0 ? floor((point - over->lo[a]) / side * along) : 0;
+        const unsigned k = (unsigned)fmin(fmax(place, 0), along - 1.0);
+        cell.lo[a] = plane_at(over, a, along, k);
+        cell.hi[a] = plane_at(over, a, along, k + 1);
+    }
+    return cell;
+}
+
+static bool is_new(const timing_work *work, const tribox_box *cell)
+{
+    for (size_t c = 0; c < work->count; c++)
+        if (!memcmp(&work->jobs[c].box, cell, sizeof *cell))
+            return false;
+    return true;
+}
+
+/* The point is rounded to a cell, which it may miss by that. */
+static bool holds_triangle(const tribox_soup *soup, const tribox_box *cell)
+{
+    size_t first;
+    return tribox_find(soup, cell, NULL, TRIBOX_FIRST_HIT, &first) == TRIBOX_OK && first < soup->count;
+}
+
+/*
+ * Divides the cube into `along` cells on each axis, and makes a job of the whole soup for each of up to `most` different cells: a
+ * random point of a random triangle picks the cell that holds it. The leaves of an octree of depth d are those of along = 2^d.
+ */
+static const char *make_cells(const tribox_soup *soup, unsigned along, timing_work *work)
+{
+    const size_t wanted = PAIRS / soup->count, most = wanted < CELLS_LEAST  ? CELLS_LEAST
+                                                      : wanted < CELLS_MOST ? wanted
+                                                                            : CELLS_MOST;
+    const tribox_box over = cube_over(soup);
+    generator g = {along};
+    if (!timing_work_make(work, most, timing_work_room(soup->count)))
+        return "out of memory for its triangles";
+    const timing_job job = timing_work_copy(work, soup, NULL, soup->count);
+    for (size_t tries = 0; work->count < most && tries < 64 * most;) {
+        const size_t i = random_below(&g, soup->count);
+        if (!is_finite(soup, i))
+            continue;
+        const tribox_box cell = cell_of_random_point(&over, along, job.triangles[i], &g);
+        if (is_new(work, &cell) && holds_triangle(&job.soup, &cell))
+            timing_work_add(work, &job, &cell);
+        tries++;
+    }
+    if (work->count)
+        return NULL;
+    timing_work_free(work);
+    return "floats are too coarse there for cells as small as these; ask for fewer along a side";
+}
+
+/* ---- leaves of an octree ----------------------------------------------------------------------------------------------------- */
+
+typedef struct node {
+    tribox_box box;
+    size_t first, count; /* its triangles, in the level's list */
+} node;
+
+/* The nodes of one level that have triangles. */
+typedef struct level {
+    node *nodes;
+    uint32_t *list;
+    size_t node_count, list_count;
+} level;
+
+/* The depth at which a leaf of a surface of that many triangles has about 16 of them. */
+static unsigned depth_for(size_t triangles)
+{
+    unsigned depth = 1;
+    for (size_t leaves = 4; depth < OCTREE_DEPTH_MOST && 16 * leaves < triangles; leaves *= 4)
+        depth++;
+    return depth;
+}
+
+static bool make_room(level *l, size_t nodes, size_t triangles)
+{
+    *l = (level){.nodes = malloc((nodes + 1) * sizeof *l->nodes), .list = malloc((triangles + 1) * sizeof *l->list)};
+    return l->nodes && l->list;
+}
+
+static void level_free(level *l)
+{
+    free(l->nodes);
+    free(l->list);
+}
+
+static void fill_root(const tribox_soup *soup, level *root)
+{
+    tribox_box all = cube_over(soup);
+    for (size_t i = 0; i < soup->count; i++)
+        if (is_finite(soup, i))
+            root->list[root->list_count++] = (uint32_t)i;
+    for (int a = 0; a < 3; a++)
+        all.hi[a] = (float)all.hi[a];
+    root->nodes[0] = (node){all, 0, root->list_count};
+    root->node_count = root->list_count > 0;
+}
+
+/* A float, and the same for all nodes between the same planes: neighbours share their faces to the bit. */
+static void middle_of(const tribox_box *box, double middle[3])
+{
+    for (int a = 0; a < 3; a++)
+        middle[a] = (float)((box->lo[a] + box->hi[a]) / 2);
+}
+
+static tribox_box child_box(const tribox_box *box, size_t child)
+{
+    tribox_box own = *box;
+    double middle[3];
+    middle_of(box, middle);
+    for (int a = 0; a < 3; a++)
+        *(child >> a & 1 ? &own.lo[a] : &own.hi[a]) = middle[a];
+    return own;
+}
+
+/* Which children each triangle of each node overlaps, and how many they are. */
+static bool split_all(const tribox_soup *soup, const level *l, uint8_t *children, size_t *found)
+{
+    for (size_t n = 0; n < l->node_count; n++) {
+        const node *const at = &l->nodes[n];
+        tribox_report report;
+        double middle[3];
+        middle_of(&at->box, middle);
+        if (tribox_split(soup, l->list + at->first, at->count, &at->box, middle, NULL, children + at->first, &report))
+            return false;
+        *found += report.overlapping;
+    }
+    return true;
+}
+
+/* The next level, of the children that have triangles, in its place. */
+static bool divide(const tribox_soup *soup, level *l)
+{
+    uint8_t *const children = malloc(l->list_count + 1);
+    size_t found = 0;
+    level next = {.nodes = NULL};
+    const bool is_done = children && split_all(soup, l, children, &found) &&
+                         make_room(&next, found < CHILDREN * l->node_count ? found : CHILDREN * l->node_count, found);
+    for (size_t k = 0; is_done && k < CHILDREN * l->node_count; k++) {
+        const node *const parent = &l->nodes[k / CHILDREN];
+        node *const own = &next.nodes[next.node_count];
+        *own = (node){child_box(&parent->box, k % CHILDREN), next.list_count, 0};
+        for (size_t i = parent->first; i < parent->first + parent->count; i++)
+            if (children[i] >> k % CHILDREN & 1)
+                next.list[next.list_count++] = l->list[i];
+        own->count = next.list_count - own->first;
+        next.node_count += own->count > 0;
+    }
+    free(children);
+    level_free(l);
+    *l = next;
+    return is_done;
+}
+
+/* The last division, as work: a job for each child of a node, of so many nodes that there are about PAIRS pairs. */
+static bool add_jobs(const tribox_soup *soup, const level *last, timing_work *work)
+{
+    const size_t pairs = CHILDREN * last->list_count, step = pairs / PAIRS + 1;
+    size_t room = 0, nodes = 0;
+    for (size_t n = 0; n < last->node_count; n += step, nodes++)
+        room += timing_work_room(last->nodes[n].count);
+    if (!timing_work_make(work, CHILDREN * nodes, room))
+        return false;
+    for (size_t n = 0; n < last->node_count; n += step) {
+        const node *const parent = &last->nodes[n];
+        const timing_job job = timing_work_copy(work, soup, last->list + parent->first, parent->count);
+        for (size_t child = 0; child < CHILDREN; child++) {
+            const tribox_box box = child_box(&parent->box, child);
+            timing_work_add(work, &job, &box);
+        }
+    }
+    return true;
+}
+
+/* Divides the cube `depth` times, each time keeping what overlaps. */
+static const char *make_octree(const tribox_soup *soup, unsigned depth, timing_work *work)
+{
+    level at;
+    bool is_done = make_room(&at, 1, soup->count);
+    if (is_done)
+        fill_root(soup, &at);
+    for (unsigned divided = 1; is_done && divided < depth; divided++)
+        is_done = divide(soup, &at);
+    is_done = is_done && add_jobs(soup, &at, work);
+    level_free(&at);
+    return is_done ? NULL : "out of memory for the octree";
+}
+
+/* ---- what is wished ---------------------------------------------------------------------------------------------------------- */
+
+static const char *make_box(const tribox_soup *soup, const tribox_box *box, timing_work *work)
+{
+    if (!timing_work_make(work, 1, timing_work_room(soup->count)))
+        return "out of memory for its triangles";
+    const timing_job job = timing_work_copy(work, soup, NULL, soup->count);
     timing_work_add(work, &job, box);
-    return EXIT_CODE_OK;
-}
-
-/* The whole mesh against a sample of the cells that hold a part of it. */
-static int make_grid(const char *path, const mesh *m, unsigned along, timing_work *work)
-{
-    const size_t wanted = PAIRS / m->soup.count;
-    const size_t cells = wanted < CELLS_LEAST ? CELLS_LEAST : wanted < CELLS_MOST ? wanted : CELLS_MOST;
-    const char *const failure = cells_work(&m->soup, along, cells, along, work);
-    return failure ? message_failure("%s: %s", path, failure) : EXIT_CODE_OK;
-}
-
-static int make_octree(const char *path, const mesh *m, unsigned depth, timing_work *work)
-{
-    const char *const failure = octree_work(&m->soup, depth, PAIRS, work);
-    return failure ? message_failure("%s: %s", path, failure) : EXIT_CODE_OK;
+    return NULL;
 }
 
 int sweep_work_make(const char *path, const mesh *m, sweep_wish *wish, timing_work *work)
@@ -37,10 +260,11 @@ int sweep_work_make(const char *path, const mesh *m, sweep_wish *wish, timing_wo
     if (m->not_finite == m->soup.count)
         return message_failure("%s: no triangle has finite coordinates: there is nothing to time", path);
     if (wish->kind == SWEEP_OCTREE && !wish->depth)
-        wish->depth = octree_depth_for(m->soup.count);
-    return wish->kind == SWEEP_BOX    ? make_box(path, m, &wish->box, work)
-           : wish->kind == SWEEP_GRID ? make_grid(path, m, wish->along, work)
-                                      : make_octree(path, m, wish->depth, work);
+        wish->depth = depth_for(m->soup.count);
+    const char *const failure = wish->kind == SWEEP_BOX    ? make_box(&m->soup, &wish->box, work)
+                                : wish->kind == SWEEP_GRID ? make_cells(&m->soup, wish->along, work)
+                                                           : make_octree(&m->soup, wish->depth, work);
+    return failure ? message_failure("%s: %s", path, failure) : EXIT_CODE_OK;
 }
 
 void sweep_work_describe(const sweep_wish *wish, const timing_work *work, char *text, size_t size)

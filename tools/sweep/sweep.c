@@ -1,13 +1,91 @@
-/*
- * order_why.c - the thirteen axes once more, in double and one pair at a time, from the formulas of the paper and not from the
- * library: counts that do not depend on the machine, to set beside the times that do.
- */
-#include "order_why.h"
+/* sweep.c - enters, verifies and times the orders; and counts what makes them fast or slow. */
+#include "sweep.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-const unsigned why_orders[WHY_ORDERS] = {123, 132, 213, 231, 312, 321};
+const unsigned sweep_orders[SWEEP_ORDERS] = {SWEEP_DEFAULT, 123, 132, 213, 231, 312, 321};
+const tribox_accuracy sweep_accuracies[SWEEP_ACCURACIES] = {TRIBOX_FAST, TRIBOX_CONSERVATIVE, TRIBOX_EXACT};
+
+const unsigned sweep_axes[SWEEP_AXES] = {
+    TRIBOX_AXES_BOX,   TRIBOX_AXES_BOX | TRIBOX_AXES_PLANE,  TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, TRIBOX_AXES_PLANE,
+    TRIBOX_AXES_EDGES, TRIBOX_AXES_PLANE | TRIBOX_AXES_EDGES};
+
+static void enter_all(sweep *s, const timing_work *work)
+{
+    const char *kernel;
+    s->count = 0;
+    for (int o = 1; o < SWEEP_ORDERS; o++)
+        s->list[s->count++] = contestant_paper(work, sweep_orders[o]);
+    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++) {
+        for (int a = 0; a < SWEEP_ACCURACIES; a++)
+            for (int o = 0; o < SWEEP_ORDERS; o++)
+                s->list[s->count++] = contestant_kernel(
+                    work, &(tribox_options){sweep_accuracies[a], TRIBOX_AXES_ALL, sweep_orders[o], .kernel = kernel});
+        for (int x = 0; x < SWEEP_AXES; x++)
+            s->list[s->count++] = contestant_kernel(work, &(tribox_options){.axes = sweep_axes[x], .kernel = kernel});
+    }
+}
+
+const char *sweep_run(sweep *s, const timing_work *work, effort how, generator *turns)
+{
+    static char wrong[VERIFY_TEXT];
+    const truth from = truth_of_work(work);
+    enter_all(s, work);
+    if (!verify(s->list, s->count, &from, s->scores, wrong))
+        return wrong;
+    uint64_t *const mask = malloc((work->words + 1) * sizeof *mask);
+    if (!mask)
+        return "out of memory for the answers";
+    measure(s->list, s->count, how, turns, mask, &s->taken);
+    free(mask);
+    return NULL;
+}
+
+static bool is_kernel(const contestant *one, const char *kernel)
+{
+    return kernel && one->options.kernel ? !strcmp(one->options.kernel, kernel) : one->options.kernel == kernel;
+}
+
+const contestant *sweep_find(const sweep *s, const char *kernel, tribox_accuracy accuracy, unsigned axes, unsigned order)
+{
+    for (const contestant *one = s->list; one < s->list + s->count; one++)
+        if (is_kernel(one, kernel) && one->options.accuracy == accuracy && one->options.axes == axes &&
+            one->options.axis_order == order)
+            return one;
+    return NULL;
+}
+
+static size_t index_of(const sweep *s, const contestant *of) { return (size_t)(of - s->list); }
+
+const score *sweep_score(const sweep *s, const contestant *of) { return &s->scores[index_of(s, of)]; }
+
+double sweep_time(const sweep *s, const contestant *of) { return measure_least(&s->taken, index_of(s, of)); }
+
+bool sweep_beats(const sweep *s, const contestant *one, const contestant *other)
+{
+    const size_t won = measure_wins(&s->taken, index_of(s, one), index_of(s, other));
+    return sweep_time(s, one) < 0.99 * sweep_time(s, other) && 4 * won >= 3 * s->taken.rounds;
+}
+
+const contestant *sweep_best(const sweep *s, const char *kernel, tribox_accuracy accuracy)
+{
+    const contestant *best = NULL;
+    for (int o = 1; o < SWEEP_ORDERS; o++) {
+        const contestant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
+        if (!best || sweep_time(s, one) < sweep_time(s, best))
+            best = one;
+    }
+    return best;
+}
+
+/*
+ * ---- why: the thirteen axes once more, in double and one pair at a time, from the formulas of the paper and not from the library:
+ * counts that do not depend on the machine, to set beside the times that do --------------------------------------------------------
+ */
+
+const unsigned *const why_orders = sweep_orders + 1;
 const unsigned why_lanes[WHY_WIDTHS] = {1, 4, 8, 16};
 
 /* A triangle against a box, in double: bit k is for axis k. */
@@ -17,19 +95,6 @@ typedef struct why_axes {
 } why_axes;
 
 enum { BOX_BITS = 7, PLANE_BITS = 1 << WHY_PLANE, EDGE_BITS = 0x1ff << WHY_EDGES };
-
-const char *why_axis_name(int axis)
-{
-    static const char *const names[WHY_AXES] = {"x",   "y",   "z",   "plane", "xe0", "xe1", "xe2",
-                                                "ye0", "ye1", "ye2", "ze0",   "ze1", "ze2"};
-    return names[axis];
-}
-
-int why_width_of(const char *kernel)
-{
-    const bool is_one = !strcmp(kernel, "scalar") || !strcmp(kernel, "paper");
-    return is_one ? 0 : !strcmp(kernel, "avx2") ? 2 : !strcmp(kernel, "avx512") ? 3 : 1;
-}
 
 /* Bullet 1: the numbers of the input themselves. */
 static unsigned box_bits(const float u[3][3], const tribox_box *box)
@@ -112,14 +177,6 @@ static unsigned bits_of_group(unsigned group) { return group == 1 ? BOX_BITS : g
 /* The k-th group of an order. */
 static unsigned group_at(unsigned order, int k) { return (k == 0 ? order / 100 : k == 1 ? order / 10 : order) % 10; }
 
-static int lowest_axis(unsigned bits)
-{
-    int axis = 0;
-    while (!(bits >> axis & 1))
-        axis++;
-    return axis;
-}
-
 static void count_axes(unsigned bits, size_t counts[WHY_AXES])
 {
     for (int axis = 0; axis < WHY_AXES; axis++)
@@ -139,7 +196,7 @@ static void count_pair(why *found, why_axes axes)
         for (int k = 0; k < 3; k++) {
             const unsigned rejecting = axes.outer & bits_of_group(group_at(why_orders[o], k));
             if (rejecting) {
-                found->order[o].first[lowest_axis(rejecting)]++;
+                found->order[o].first[__builtin_ctz(rejecting)]++;
                 break;
             }
         }
