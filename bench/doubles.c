@@ -11,8 +11,8 @@
 
 #include "cgal_peer.h"
 #include "common/draw.h"
-#include "common/loads.h"
-#include "questions.h"
+#include "common/rivals.h"
+#include "common/asked.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------------------- */
 

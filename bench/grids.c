@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "console/pages.h"
-#include "questions.h"
+#include "common/asked.h"
 #include "read/mesh.h"
 
 enum { CHUNK = 8192, TILE = 128, TILE_OF_IDS = 64, WARM = 3 /* runs in memory that is not new */ };

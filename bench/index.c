@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/loads.h"
+#include "common/rivals.h"
 #include "index/index_forms.h"
 #include "index/ordered_soup.h"
-#include "questions.h"
+#include "common/asked.h"
 #include "timing/timing.h"
 
 /* What is asked of whom. */

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/loads.h"
+#include "common/rivals.h"
 #include "common/soups.h"
-#include "questions.h"
+#include "common/asked.h"
 
 /* A scene in every form. */
 typedef struct forms {

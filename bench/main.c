@@ -1,5 +1,8 @@
 /* main.c - tribox-bench: the table of questions. */
-#include "questions.h"
+#include "common/asked.h"
+
+extern const bench_question question_ratios, question_inputs, question_sweep, question_grids, question_calls, question_octree,
+    question_doubles, question_cgal, question_voxels, question_index;
 
 int main(int argc, char **argv)
 {

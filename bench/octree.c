@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "paper/paper.h"
-#include "questions.h"
+#include "common/asked.h"
 #include "read/mesh.h"
 #include "timing/timing.h"
 

@@ -6,11 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/entries.h"
 #include "common/soups.h"
 #include "console/accuracy.h"
 #include "paper/paper.h"
-#include "questions.h"
+#include "common/asked.h"
 #include "read/mesh.h"
 #include "sweep/sweep.h"
 
@@ -41,7 +40,7 @@ static double share_of(size_t part, size_t of, double unit) { return of ? unit *
 
 static double times_fast(const found *f, size_t c)
 {
-    const size_t fast = entry_fast_of(f->list, f->count, c);
+    const size_t fast = contestant_fast_of(f->list, f->count, c);
     return fast == c ? (double)NAN : measure_ratio(f->taken, c, fast).median;
 }
 
@@ -49,7 +48,7 @@ static double times_fast(const found *f, size_t c)
 static double undecided_ns(const found *f, size_t c)
 {
     const double share = share_of(f->scores[c].undecided, f->pairs, 1), least_share = 5e-3;
-    const size_t fast = entry_fast_of(f->list, f->count, c);
+    const size_t fast = contestant_fast_of(f->list, f->count, c);
     return fast == c || share < least_share ? (double)NAN : (measure_least(f->taken, c) - measure_least(f->taken, fast)) / share;
 }
 

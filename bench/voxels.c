@@ -1,6 +1,6 @@
 /*
- * voxels.c - how fast are soups voxelized, against the paper's test for each cell, against Schwarz and Seidel (voxel_rivals.h), and
- * against what reading the soup or writing the answer takes (voxel_limits.c)?
+ * voxels.c - how fast are soups voxelized, against the paper's test for each cell, against Schwarz and Seidel (rivals.h), and
+ * against what reading the soup or writing the answer takes ?
  *
  * EXACT has to be the same on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. The bits are cleared
  * before each pass, outside the time. A rival that takes too long for one pass is timed once, and if even that would take minutes,
@@ -10,13 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/loads.h"
+#include "common/rivals.h"
 #include "console/clock.h"
-#include "questions.h"
+#include "common/asked.h"
 #include "read/mesh.h"
 #include "timing/timing.h"
 #include "voxelize/layers.h"
-#include "voxels/voxel_rivals.h"
 
 enum { EXACT, CONSERVATIVE, FAST, TWO_THREADS, RIVAL_SEIDEL, RIVAL_CELLS, READING, WRITING, TIMED };
 static const char *const names[TIMED] = {"exact",          "conservative", "fast",    "exact, 2 threads",

@@ -1,4 +1,4 @@
-/* asked.c - reads command lines, says what may stand in them, and times contestants. */
+/* asked.c - reads command lines and the meshes that they name, says what may stand in them, and times contestants. */
 #include "asked.h"
 
 #include <errno.h>
@@ -6,7 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/message.h"
 #include "console/option_reader.h"
+#include "read/indexed_mesh.h"
+#include "read/mesh.h"
+#include "read/scan.h"
 #include "soups.h"
 
 enum { FOR_ALL = 1u << OPTION_ROUNDS | 1u << OPTION_SEED | 1u << OPTION_JSON | 1u << OPTION_CSV };
@@ -36,6 +40,51 @@ static const struct {
     [OPTION_BOXES] = {"boxes", "N", "boxes", 1, 100000},
     [OPTION_TERRAIN] = {"terrain", "N", "triangles of a terrain that is made here", 0, UINT32_MAX},
 };
+
+const char *mesh_list_name(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+enum { PATH_ROOM = 4096 };
+
+static const char *find(const char *path, char whole[PATH_ROOM])
+{
+    const char *const folder = strchr(path, '/') ? NULL : getenv("TRIBOX_MESHES");
+    snprintf(whole, PATH_ROOM, "%s%s%s", folder ? folder : "", folder ? "/" : "", path);
+    return whole;
+}
+
+bool mesh_list_read(const char *path, mesh *m)
+{
+    char whole[PATH_ROOM];
+    return mesh_read(find(path, whole), m) == EXIT_CODE_OK;
+}
+
+bool mesh_list_read_indexed(const char *path, indexed_mesh *m)
+{
+    char whole[PATH_ROOM];
+    whole_file file;
+    const mesh_kind kind = mesh_kind_of(find(path, whole));
+    *m = (indexed_mesh){.positions = NULL};
+    if (kind == MESH_STL_TEXT || kind == MESH_OTHER)
+        return message_failure("%s: no PLY, OFF or OBJ file, which have indices", path) == EXIT_CODE_OK;
+    const bool is_read = !whole_file_read(whole, &file) && !scan_read(whole, kind, &file, m);
+    whole_file_free(&file);
+    indexed_mesh_narrow(m);
+    if (is_read && (m->position_bytes != sizeof(float) || !m->triangles))
+        return message_failure("%s: no triangles of floats", path) == EXIT_CODE_OK;
+    return is_read;
+}
+
+int mesh_list_take(mesh_list *list, const char *path)
+{
+    if (list->count == MESH_LIST_MAX)
+        return message_usage("'%s' is one mesh too many: give %d at most", path, MESH_LIST_MAX);
+    list->path[list->count++] = path;
+    return EXIT_CODE_OK;
+}
 
 static int whole_read(const char *text, asked_option o, uint64_t *number)
 {

@@ -2,7 +2,7 @@
 #ifndef BENCH_ASKED_H
 #define BENCH_ASKED_H
 
-#include "mesh_list.h"
+#include "console/message.h"
 #include "printout.h"
 #include "timing/timing.h"
 
@@ -10,7 +10,29 @@
 extern "C" {
 #endif
 
-/* One table of them, for all questions: asked.c. */
+/* Meshes of the command line: files, or names in the folder $TRIBOX_MESHES. */
+enum { MESH_LIST_MAX = 64 };
+typedef struct mesh_list {
+    const char *path[MESH_LIST_MAX];
+    size_t count;
+} mesh_list;
+
+/* Returns an exit_code. */
+int mesh_list_take(mesh_list *list, const char *path);
+
+/* The name without its folder. */
+const char *mesh_list_name(const char *path);
+
+struct mesh;
+struct indexed_mesh;
+
+/* False after a line on standard error. */
+bool mesh_list_read(const char *path, struct mesh *m);
+
+/* The same with its vertices and indices, of floats: PLY, OFF and OBJ. indexed_mesh_free follows in any case. */
+bool mesh_list_read_indexed(const char *path, struct indexed_mesh *m);
+
+/* One table of options, for all questions: asked.c. */
 typedef enum asked_option {
     OPTION_ROUNDS,
     OPTION_SEED,

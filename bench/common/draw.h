@@ -12,17 +12,17 @@ typedef float triangle[3][3];
 
 typedef void draw_triangle(generator *g, triangle t);
 
-/* draw.c: anywhere about the box. */
+/* Anywhere about the box. */
 draw_triangle draw_paper, draw_offset, draw_sparse, draw_inside, draw_lattice, draw_tenths, draw_cad, draw_cad_tenths;
 
-/* draw_contact.c: touching the box [-0.5, 0.5]^3 from outside, or off it by what rounding leaves. */
+/* Touching the box [-0.5, 0.5]^3 from outside, or off it by what rounding leaves. */
 draw_triangle draw_touching, draw_touching_ulp, draw_needle, draw_cap;
 
-/* draw_thin.c: through the box and past it. */
+/* Through the box and past it. */
 draw_triangle draw_thin;
 
 /*
- * draw.c: sorts triangles by the place of their centroids, as a spatial tree would leave them: in Morton order of 1024^3
+ * Sorts triangles by the place of their centroids, as a spatial tree would leave them: in Morton order of 1024^3
  * cells of the cube [-reach, reach]^3, in which they lie. False if memory fails.
  */
 bool place_sort(triangle *triangles, size_t count, float reach);

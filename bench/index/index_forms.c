@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/loads.h"
+#include "common/rivals.h"
 #include "console/message.h"
 
 static const char *const names[FORMS] = {"list", "count", "any", "words", "mask", "linear"};

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/mesh_list.h"
+#include "common/asked.h"
 #include "paper/random.h"
 #include "read/mesh.h"
 

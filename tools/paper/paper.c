@@ -3,8 +3,6 @@
 
 #include <stdbool.h>
 
-#include "paper_walk.h"
-
 #if defined(PAPER_X86)
 static bool runs_avx2(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 

@@ -32,6 +32,11 @@ paper_walk *paper_in_order(unsigned order);
 /* The name of that instruction set: "avx512", "avx2", or "any" where the compiler's default was taken. */
 const char *paper_instruction_set(void);
 
+/* The walks of one compilation of paper_walk.c: orders 123, 132, 213, 231, 312, 321. */
+enum { PAPER_ORDERS = 6 };
+extern paper_walk *const paper_walks_any[PAPER_ORDERS], *const paper_walks_avx2[PAPER_ORDERS],
+                                                            *const paper_walks_avx512[PAPER_ORDERS];
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,5 +1,5 @@
 /* paper_walk.c - the paper's test over a soup, with the order of the groups as a constant. PAPER_WALKS names the table. */
-#include "paper_walk.h"
+#include "paper.h"
 
 #include "paper_axes.h"
 

@@ -81,8 +81,8 @@ const contestant *sweep_best(const sweep *s, const char *kernel, tribox_accuracy
 }
 
 /*
- * ---- why: the thirteen axes once more, in double and one pair at a time, from the formulas of the paper and not from the library:
- * counts that do not depend on the machine, to set beside the times that do --------------------------------------------------------
+ * Why: the thirteen axes once more, in double and one pair at a time, from the formulas of the paper and not from the library:
+ * counts that do not depend on the machine, to set beside the times that do.
  */
 
 const unsigned *const why_orders = sweep_orders + 1;

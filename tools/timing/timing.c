@@ -228,6 +228,17 @@ size_t contestants_enter(const timing_work *work, contestant *list)
     return count;
 }
 
+size_t contestant_fast_of(const contestant *list, size_t count, size_t c)
+{
+    const tribox_options *const own = &list[c].options;
+    for (size_t f = 0; own->kernel && f < count; f++) {
+        const tribox_options *const other = &list[f].options;
+        if (other->kernel && other->accuracy == TRIBOX_FAST && other->axes == own->axes && !strcmp(own->kernel, other->kernel))
+            return f;
+    }
+    return c;
+}
+
 static bool find_truth(const void *work, unsigned axes, uint64_t *mask)
 {
     const contestant scalar = contestant_kernel(work, &(tribox_options){.axes = axes, .kernel = "scalar"});

@@ -112,6 +112,9 @@ contestant contestant_kernel(const timing_work *work, const tribox_options *opti
  */
 size_t contestants_enter(const timing_work *work, contestant *list);
 
+/* The index of FAST of the same kernel and axes as list[c]; c if there is none. */
+size_t contestant_fast_of(const contestant *list, size_t count, size_t c);
+
 /* ---- verifying: only what answers right is worth timing ---------------------------------------------------------------------- */
 
 /* Answers other than the true ones. */

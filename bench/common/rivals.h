@@ -1,19 +1,24 @@
-/*
- * voxel_rivals.h - what tribox_voxelize is measured against. Both set the bits of the same layout, and round cells in float.
- *
- * Cells are cubes; the grid's lower corner is `origin`; triangles[i][j][a] is axis a of vertex j, and lies in the grid.
- */
-#ifndef BENCH_VOXEL_RIVALS_H
-#define BENCH_VOXEL_RIVALS_H
+/* rivals.h - what tribox is measured against: the loads alone, the paper's test without branches, and voxelizers in float. */
+#ifndef BENCH_RIVALS_H
+#define BENCH_RIVALS_H
 
 #include <stdbool.h>
 
 #include "tribox.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+/* The exclusive or of the bits of all coordinates: it takes all nine streams, whole, and one instruction for each load. */
+uint32_t loads_all(const tribox_soup *soup);
 
+/* The exclusive or of `count` words, at any alignment. */
+uint32_t loads_words(const void *words, size_t count);
+
+/* Bit i % 64 of mask[i / 64] is set if triangle i overlaps the box, but for rounding. center, half: of the box. */
+void unbranched_overlap(const tribox_soup *soup, const float center[3], const float half[3], uint64_t *mask);
+
+/*
+ * What tribox_voxelize is measured against. Both set the bits of the same layout, and round cells in float. Cells are cubes; the
+ * grid's lower corner is `origin`; triangles[i][j][a] is axis a of vertex j, and lies in the grid.
+ */
 typedef void voxel_rival(const tribox_grid *grid, const float (*triangles)[3][3], size_t count, uint64_t *occupied);
 
 /* The paper's test for every cell that the bounding box of a triangle touches. */
@@ -29,7 +34,7 @@ voxel_rival voxelize_cell_by_cell;
 voxel_rival voxelize_schwarz_seidel;
 
 /*
- * voxel_limits.c: no voxelization can do without writing its answer. Of each triangle in turn the words of the grid that its own
+ * No voxelization can do without writing its answer. Of each triangle in turn the words of the grid that its own
  * cells lie in, and their bits.
  */
 typedef struct voxel_words {
@@ -46,9 +51,5 @@ bool voxel_words_find(const tribox_soup *soup, const tribox_grid *grid, const tr
 size_t voxel_words_write(const voxel_words *words, uint64_t *occupied);
 
 void voxel_words_free(voxel_words *words);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif
