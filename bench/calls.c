@@ -196,16 +196,15 @@ static void tell(asked *q, const contestant *list, size_t of_each, size_t n)
 {
     const double paper = measure_least(&q->taken, n * of_each);
     char full[KERNELS_MOST + 1][24], times[KERNELS_MOST + 1][24];
-    printout_number(&q->out, "count", 0, (double)counts[n]);
-    printout_number(&q->out, "paper", 1, paper);
+    ADD(&q->out, NUMBER("count", 0, (double)counts[n]), NUMBER("paper", 1, paper));
     for (size_t c = 1; c < of_each; c++) {
         const char *const kernel = list[c].options.kernel;
         const double least = measure_least(&q->taken, n * of_each + c);
         snprintf(full[c], sizeof full[c], "%s_full", kernel);
         snprintf(times[c], sizeof times[c], "%s_speed", kernel);
-        printout_number(&q->out, kernel, 1, least);
-        printout_number(&q->out, full[c], 2, least / measure_least(&q->taken, next_full(n, lanes_of(kernel)) * of_each + c));
-        printout_number(&q->out, times[c], 2, paper / least);
+        ADD(&q->out, NUMBER(kernel, 1, least),
+            NUMBER(full[c], 2, least / measure_least(&q->taken, next_full(n, lanes_of(kernel)) * of_each + c)),
+            NUMBER(times[c], 2, paper / least));
     }
     printout_row(&q->out);
 }
@@ -274,9 +273,9 @@ static void run_cells(asked *q, const timing_work *triangles)
     asked_measure(q, "cells", list, count, NULL, asked_effort(q, 31, 1e9, 5e-4), triangles[1].words + 4 * 4);
     printout_table(&q->out, "cells, exact: ns a call about 1, 8 and 64 triangles, of tribox_voxelize and tribox_mesh_voxelize");
     for (size_t c = 0; c < count; c += 2 * SIZES) {
-        printout_text(&q->out, "kernel", list[c].options.kernel);
+        ADD(&q->out, TEXT("kernel", list[c].options.kernel));
         for (size_t n = 0; n < 2 * SIZES; n++)
-            printout_number(&q->out, names[n], 1, measure_least(&q->taken, c + n));
+            ADD(&q->out, NUMBER(names[n], 1, measure_least(&q->taken, c + n)));
         printout_row(&q->out);
     }
     printout_disturbed(&q->out, &q->taken);

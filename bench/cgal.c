@@ -102,14 +102,12 @@ static bool ask_about(asked *q, const scene *at, const contestant *list, size_t 
         if (peer)
             cgal_peer_answer(peer, other);
         const size_t proper = peer ? count_unlike(peer, exact, other, pairs, false) : 0;
-        printout_text(&q->out, "contestant", list[c].name);
-        printout_text_data(&q->out, "scene", at->name);
-        printout_number(&q->out, "unlike_EXACT", 0, (double)proper);
-        printout_number(&q->out, "of_degenerate", 0, peer ? (double)count_unlike(peer, exact, other, pairs, true) : 0);
+        ADD(&q->out, TEXT("contestant", list[c].name), TEXT_DATA("scene", at->name), NUMBER("unlike_EXACT", 0, (double)proper),
+            NUMBER("of_degenerate", 0, peer ? (double)count_unlike(peer, exact, other, pairs, true) : 0));
         if (is_timed) {
             printout_times(&q->out, &q->taken, c);
-            printout_number(&q->out, "times_the_widest", 1, measure_ratio(&q->taken, c, 0).median);
-            printout_number(&q->out, "times_avx2", 1, measure_ratio(&q->taken, c, avx2).median);
+            ADD(&q->out, NUMBER("times_the_widest", 1, measure_ratio(&q->taken, c, 0).median),
+                NUMBER("times_avx2", 1, measure_ratio(&q->taken, c, avx2).median));
         }
         printout_row(&q->out);
         is_right = !proper || message_failure("%s: CGAL answers otherwise on triangles that are not degenerate", at->name) == 0;

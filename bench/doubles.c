@@ -325,14 +325,11 @@ static void tell_scene(asked *q, const double_scene *at, const contestant *list,
     for (size_t k = 0; k < count; k++) {
         const bool is_double = k == DOUBLE_NINE || k == DOUBLE_INDEXED;
         ns[k] = measure_least(&q->taken, k);
-        printout_text(&q->out, "triangles", list[k].name);
-        printout_text_data(&q->out, "scene", at->name);
+        ADD(&q->out, TEXT("triangles", list[k].name), TEXT_DATA("scene", at->name));
         printout_times(&q->out, &q->taken, k);
-        printout_number(&q->out, "times_floats", 3, is_double ? ns[k] / ns[k - DOUBLE_NINE + FLOAT_NINE] : (double)NAN);
-        printout_number(&q->out, "times_reading", 3,
-                        is_double ? ns[k] / measure_least(&q->taken, k - DOUBLE_NINE + READ_NINE) : (double)NAN);
-        printout_number(&q->out, "times_nine_doubles", 1, k == PEER ? ns[k] / ns[DOUBLE_NINE] : (double)NAN);
-        printout_row(&q->out);
+        ROW(&q->out, NUMBER("times_floats", 3, is_double ? ns[k] / ns[k - DOUBLE_NINE + FLOAT_NINE] : (double)NAN),
+            NUMBER("times_reading", 3, is_double ? ns[k] / measure_least(&q->taken, k - DOUBLE_NINE + READ_NINE) : (double)NAN),
+            NUMBER("times_nine_doubles", 1, k == PEER ? ns[k] / ns[DOUBLE_NINE] : (double)NAN));
     }
     printout_disturbed(&q->out, &q->taken);
 }
@@ -383,10 +380,8 @@ static void run_stage(asked *q, stage_scene which, double *ns)
     asked_measure(q, "stage", list, 2, NULL, asked_effort(q, 51, 8, 1e-3), words);
     const double more = measure_least(&q->taken, 1) - measure_least(&q->taken, 0);
     *ns = report.undecided ? more * (double)at[1].count / (double)report.undecided : 0;
-    printout_text(&q->out, "settled", stage_names[which]);
-    printout_number(&q->out, "triangles", 0, (double)report.undecided);
-    printout_number(&q->out, "ns_a_triangle", 1, *ns);
-    printout_row(&q->out);
+    ROW(&q->out, TEXT("settled", stage_names[which]), NUMBER("triangles", 0, (double)report.undecided),
+        NUMBER("ns_a_triangle", 1, *ns));
     free(mask);
     double_scene_free(&at[0]);
     double_scene_free(&at[1]);

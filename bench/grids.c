@@ -394,18 +394,12 @@ static bool are_alike(const asked *q, size_t all, const found least[WAYS])
 
 static void tell(printout *out, const char *name, uint32_t resolution, const struct way *way, const found *f, const found *window)
 {
-    printout_text(out, "way", way->name);
-    printout_text_data(out, "mesh", name);
-    printout_data(out, "cells_along", resolution);
-    printout_number(out, "ms", 2, 1e3 * f->warm);
-    printout_number(out, "ms_in_new_memory", 2, 1e3 * f->fresh);
-    printout_number(out, "times_window's_ms", 2, window ? f->warm / window->warm : (double)NAN);
-    printout_number(out, "ms_to_list_by_tile", 2, f->listing > 0 ? 1e3 * f->listing : (double)NAN);
-    printout_number(out, "cells", 0, f->cells ? (double)f->cells : (double)NAN);
-    printout_data(out, "bricks", f->bricks ? (double)f->bricks : (double)NAN);
-    printout_number(out, "ns_a_cell", 2, f->cells ? 1e9 * f->fresh / (double)f->cells : (double)NAN);
-    printout_number(out, "MB", 1, f->megabytes);
-    printout_row(out);
+    ROW(out, TEXT("way", way->name), TEXT_DATA("mesh", name), DATA("cells_along", resolution), NUMBER("ms", 2, 1e3 * f->warm),
+        NUMBER("ms_in_new_memory", 2, 1e3 * f->fresh),
+        NUMBER("times_window's_ms", 2, window ? f->warm / window->warm : (double)NAN),
+        NUMBER("ms_to_list_by_tile", 2, f->listing > 0 ? 1e3 * f->listing : (double)NAN),
+        NUMBER("cells", 0, f->cells ? (double)f->cells : (double)NAN), DATA("bricks", f->bricks ? (double)f->bricks : (double)NAN),
+        NUMBER("ns_a_cell", 2, f->cells ? 1e9 * f->fresh / (double)f->cells : (double)NAN), NUMBER("MB", 1, f->megabytes));
 }
 
 /* `resolution` cubes along the longest side of its box, so that what lies on the far side lies inside. */

@@ -211,13 +211,11 @@ static void tell_builds(asked *q, const field *f, const scene_result *r)
     for (kind k = OF_FILE; k < KINDS; k++) {
         if (k == TURNED || k == WIDE_BOXES)
             continue;
-        printout_text(&q->out, "of", kind_names[k]);
-        printout_number(&q->out, "order", 1, k == OF_CUTS ? f->cuts.cost.order : (double)NAN);
-        printout_number(&q->out, "gather", 1, k == OF_CUTS ? f->cuts.cost.gather : (double)NAN);
-        printout_number(&q->out, "build", 2, r->build[k]);
-        printout_number(&q->out, "times_reading", 2, r->build[k] / r->reading);
+        ADD(&q->out, TEXT("of", kind_names[k]), NUMBER("order", 1, k == OF_CUTS ? f->cuts.cost.order : (double)NAN),
+            NUMBER("gather", 1, k == OF_CUTS ? f->cuts.cost.gather : (double)NAN), NUMBER("build", 2, r->build[k]),
+            NUMBER("times_reading", 2, r->build[k] / r->reading));
         for (int p = 0; p < BOX_SIZES; p++)
-            printout_number(&q->out, paid[p], 0, k <= OF_CUTS ? pays_after(r, f, k, p) : (double)NAN);
+            ADD(&q->out, NUMBER(paid[p], 0, k <= OF_CUTS ? pays_after(r, f, k, p) : (double)NAN));
         printout_row(&q->out);
     }
 }
@@ -226,13 +224,11 @@ static void tell_builds(asked *q, const field *f, const scene_result *r)
 
 static void tell_forms(asked *q, const index_question *question, int size, bool is_cold, double hits, const double us[FORMS])
 {
-    printout_text(&q->out, "of", is_cold ? "cuts, cold" : question->name);
-    printout_number(&q->out, "box_%", 1, 100 * box_part[size]);
-    printout_number(&q->out, "hits", 1, hits);
+    ADD(&q->out, TEXT("of", is_cold ? "cuts, cold" : question->name), NUMBER("box_%", 1, 100 * box_part[size]),
+        NUMBER("hits", 1, hits));
     for (index_form form = FORM_LIST; form < FORMS; form++)
-        printout_number(&q->out, index_form_name(form), 2, us[form]);
-    printout_number(&q->out, "times_linear", 2, us[FORM_LINEAR] / us[FORM_LIST]);
-    printout_row(&q->out);
+        ADD(&q->out, NUMBER(index_form_name(form), 2, us[form]));
+    ROW(&q->out, NUMBER("times_linear", 2, us[FORM_LINEAR] / us[FORM_LIST]));
 }
 
 static bool ask_size(asked *q, field *f, int size, effort how, scene_result *r)
@@ -357,12 +353,9 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
         list[c] = (contestant){.run = runs[c], .question = &m, .options = options, .pairs = (double)count};
     if (is_right) {
         asked_measure(q, "many", list, MANY_RUNS, NULL, how, 1);
-        printout_number(&q->out, "box_%", 1, 100 * box_part[size]);
-        printout_number(&q->out, "boxes", 0, (double)count);
-        printout_number(&q->out, "as_drawn", 0, measure_least(&q->taken, AS_DRAWN));
-        printout_number(&q->out, "in_order", 0, measure_least(&q->taken, IN_ORDER));
-        printout_number(&q->out, "ordering", 0, measure_least(&q->taken, ORDERING));
-        printout_row(&q->out);
+        ROW(&q->out, NUMBER("box_%", 1, 100 * box_part[size]), NUMBER("boxes", 0, (double)count),
+            NUMBER("as_drawn", 0, measure_least(&q->taken, AS_DRAWN)), NUMBER("in_order", 0, measure_least(&q->taken, IN_ORDER)),
+            NUMBER("ordering", 0, measure_least(&q->taken, ORDERING)));
     }
     void *const rooms[] = {boxes, m.bounds[0], m.bounds[1], m.order, m.list, m.scratch, m.start};
     for (size_t k = 0; k < sizeof rooms / sizeof rooms[0]; k++)

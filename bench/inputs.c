@@ -210,10 +210,9 @@ static bool ask_scene(asked *q, const char *name, bool is_shared)
         printout_table(&q->out, "%s%s: %zu triangles, %zu vertices", name, is_shared ? ", vertices shared" : "", f.at.work.pairs,
                        f.vertices);
         for (size_t c = 0; c < count; c++) {
-            printout_text(&q->out, "input", list[c].name);
+            ADD(&q->out, TEXT("input", list[c].name));
             printout_times(&q->out, &q->taken, c);
-            printout_number(&q->out, "times_streams", 4, measure_ratio(&q->taken, c, 0).median);
-            printout_row(&q->out);
+            ROW(&q->out, NUMBER("times_streams", 4, measure_ratio(&q->taken, c, 0).median));
         }
         printout_disturbed(&q->out, &q->taken);
     }

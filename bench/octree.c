@@ -200,12 +200,9 @@ static bool run_depth(asked *q, const char *name, octree *o)
     printout_table(&q->out, "%s, %zu triangles, depth %d: %zu leaves", name, o->mesh.count, o->depth, leaves[EIGHT]);
     for (size_t w = 0; w < WAYS; w++) {
         const double least = measure_least(&q->taken, w);
-        printout_text(&q->out, "way", ways[w].name);
-        printout_number(&q->out, "ms", 1, 1e-6 * least);
-        printout_number(&q->out, "times_the_paper's_speed", 2, measure_least(&q->taken, PAPER) / least);
-        printout_number(&q->out, "times_eight_calls", 2, measure_least(&q->taken, EIGHT) / least);
-        printout_number(&q->out, "leaves", 0, (double)leaves[w]);
-        printout_row(&q->out);
+        ROW(&q->out, TEXT("way", ways[w].name), NUMBER("ms", 1, 1e-6 * least),
+            NUMBER("times_the_paper's_speed", 2, measure_least(&q->taken, PAPER) / least),
+            NUMBER("times_eight_calls", 2, measure_least(&q->taken, EIGHT) / least), NUMBER("leaves", 0, (double)leaves[w]));
     }
     printout_disturbed(&q->out, &q->taken);
     return true;

@@ -83,20 +83,15 @@ static void tell_row(asked *q, const scene *at, const contestant *list, size_t c
     const size_t fast = contestant_fast_of(list, q->taken.contestants, c);
     const spread speed = measure_ratio(&q->taken, 0, c);
     const bool is_answer = list[c].promise != PROMISE_NOTHING;
-    printout_text(out, "contestant", list[c].name);
-    printout_text_data(out, "scene", at->name);
-    printout_data(out, "triangles", (double)at->work.pairs);
+    ADD(out, TEXT("contestant", list[c].name), TEXT_DATA("scene", at->name), DATA("triangles", (double)at->work.pairs));
     printout_times(out, &q->taken, c);
-    printout_number(out, "times_baseline's_speed", 2, speed.median);
-    printout_number(out, "from", 2, speed.lower_quartile);
-    printout_number(out, "to", 2, speed.upper_quartile);
-    printout_number(out, "by_least", 2, measure_least(&q->taken, 0) / measure_least(&q->taken, c));
-    printout_number(out, "times_own_fast's_ns", 2, fast == c ? (double)NAN : measure_ratio(&q->taken, c, fast).median);
-    printout_number(out, "undecided_%", 4,
-                    list[c].options.kernel ? 100 * (double)q->scores[c].undecided / (double)at->work.pairs : (double)NAN);
-    printout_number(out, "overlaps", 0, is_answer ? (double)q->scores[c].overlapping : (double)NAN);
-    printout_number(out, "unlike_EXACT", 0, is_answer ? (double)score_unlike(&q->scores[c]) : (double)NAN);
-    printout_row(out);
+    ROW(out, NUMBER("times_baseline's_speed", 2, speed.median), NUMBER("from", 2, speed.lower_quartile),
+        NUMBER("to", 2, speed.upper_quartile), NUMBER("by_least", 2, measure_least(&q->taken, 0) / measure_least(&q->taken, c)),
+        NUMBER("times_own_fast's_ns", 2, fast == c ? (double)NAN : measure_ratio(&q->taken, c, fast).median),
+        NUMBER("undecided_%", 4,
+               list[c].options.kernel ? 100 * (double)q->scores[c].undecided / (double)at->work.pairs : (double)NAN),
+        NUMBER("overlaps", 0, is_answer ? (double)q->scores[c].overlapping : (double)NAN),
+        NUMBER("unlike_EXACT", 0, is_answer ? (double)score_unlike(&q->scores[c]) : (double)NAN));
 }
 
 static bool ask_about(asked *q, const scene *at)

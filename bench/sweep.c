@@ -56,18 +56,15 @@ static void tell_accuracy(printout *out, const found *f, size_t c)
 {
     const tribox_options *const own = &f->list[c].options;
     const score *const s = &f->scores[c];
-    printout_text(out, "kernel", own->kernel ? own->kernel : "paper");
-    printout_text(out, "accuracy", own->kernel ? accuracy_word(own->accuracy) : "");
-    printout_text(out, "axes", axes_names[own->axes]);
-    printout_text_data(out, "scene", f->name);
+    ADD(out, TEXT("kernel", own->kernel ? own->kernel : "paper"), TEXT("accuracy", own->kernel ? accuracy_word(own->accuracy) : ""),
+        TEXT("axes", axes_names[own->axes]), TEXT_DATA("scene", f->name));
     printout_times(out, f->taken, c);
-    printout_number(out, "times_fast", 2, times_fast(f, c));
-    printout_number(out, "missed_a_million", 1, share_of(s->of_accuracy.missed, f->pairs, 1e6));
-    printout_number(out, "untrue_a_million", 1, share_of(s->of_accuracy.untrue, f->pairs, 1e6));
-    printout_number(out, "extra_a_million", 1, share_of(s->of_all.untrue, f->pairs, 1e6));
-    printout_number(out, "undecided_%", 4, own->kernel ? share_of(s->undecided, f->pairs, 100) : (double)NAN);
-    printout_number(out, "ns_each", 1, undecided_ns(f, c));
-    printout_row(out);
+    ROW(out, NUMBER("times_fast", 2, times_fast(f, c)),
+        NUMBER("missed_a_million", 1, share_of(s->of_accuracy.missed, f->pairs, 1e6)),
+        NUMBER("untrue_a_million", 1, share_of(s->of_accuracy.untrue, f->pairs, 1e6)),
+        NUMBER("extra_a_million", 1, share_of(s->of_all.untrue, f->pairs, 1e6)),
+        NUMBER("undecided_%", 4, own->kernel ? share_of(s->undecided, f->pairs, 100) : (double)NAN),
+        NUMBER("ns_each", 1, undecided_ns(f, c)));
 }
 
 /* With all axes: the paper's test as published, and each kernel in the default order. */
@@ -113,17 +110,15 @@ static void tell_goals(printout *out, const found *f)
 static void tell_order(printout *out, const sweep *s, const char *kernel, tribox_accuracy accuracy)
 {
     const contestant *const best = sweep_best(s, kernel, accuracy);
-    printout_text(out, "kernel", kernel ? kernel : "paper");
-    printout_text(out, "accuracy", kernel ? accuracy_word(accuracy) : "");
+    ADD(out, TEXT("kernel", kernel ? kernel : "paper"), TEXT("accuracy", kernel ? accuracy_word(accuracy) : ""));
     for (int o = 0; o < SWEEP_ORDERS; o++) {
         static const char *const names[SWEEP_ORDERS] = {"default", "123", "132", "213", "231", "312", "321"};
         const contestant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
-        printout_number(out, names[o], 3, one ? sweep_time(s, one) : (double)NAN);
+        ADD(out, NUMBER(names[o], 3, one ? sweep_time(s, one) : (double)NAN));
     }
     const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
     const bool is_faster = plain && sweep_beats(s, best, plain);
-    printout_number(out, "faster_than_default", 0, is_faster ? best->options.axis_order : (double)NAN);
-    printout_row(out);
+    ROW(out, NUMBER("faster_than_default", 0, is_faster ? best->options.axis_order : (double)NAN));
 }
 
 /* Counts that are the same on every machine. */
@@ -132,11 +127,11 @@ static void tell_packets(printout *out, const why *w)
     for (int o = 0; o < WHY_ORDERS; o++) {
         static const char *const names[WHY_WIDTHS] = {"1_lane", "4_lanes", "8_lanes", "16_lanes"};
         static const char *const bytes[WHY_WIDTHS] = {"bytes_of_1", "bytes_of_4", "bytes_of_8", "bytes_of_16"};
-        printout_number(out, "order", 0, why_orders[o]);
+        ADD(out, NUMBER("order", 0, why_orders[o]));
         for (int l = 0; l < WHY_WIDTHS; l++)
-            printout_number(out, names[l], 1, share_of(w->order[o].packets_left[l][0], w->packets[l], 100));
+            ADD(out, NUMBER(names[l], 1, share_of(w->order[o].packets_left[l][0], w->packets[l], 100)));
         for (int l = 0; l < WHY_WIDTHS; l++)
-            printout_number(out, bytes[l], 1, share_of(w->order[o].bytes[l], w->pairs, 1));
+            ADD(out, NUMBER(bytes[l], 1, share_of(w->order[o].bytes[l], w->pairs, 1)));
         printout_row(out);
     }
 }

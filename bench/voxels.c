@@ -295,18 +295,11 @@ static void tell(asked *q, const task *t, const contestant *list)
     for (size_t c = 0; c < TIMED; c++) {
         const double ns = measure_least(&q->taken, c); /* other work only ever adds to a time */
         const bool has_unlike = list[c].promise == PROMISE_ROUNDED;
-        printout_text(&q->out, "contestant", list[c].name);
-        printout_text_data(&q->out, "scene", t->name);
-        printout_data(&q->out, "triangles", triangles);
-        printout_data(&q->out, "set", set);
-        printout_number(&q->out, "ns_a_triangle", 1, ns);
-        printout_number(&q->out, "ns_a_cell", 2, ns * triangles / set);
-        printout_number(&q->out, "million_a_second", 3, 1e3 / ns);
-        printout_number(&q->out, "times_exact", 3, ns / exact);
-        printout_number(&q->out, "one_of", 0, (double)t->step[c]);
-        printout_number(&q->out, "cells_unlike", 0, has_unlike ? (double)score_unlike(&q->scores[c]) : (double)NAN);
-        printout_text(&q->out, "timed", list[c].is_timed_once ? "once" : "");
-        printout_row(&q->out);
+        ROW(&q->out, TEXT("contestant", list[c].name), TEXT_DATA("scene", t->name), DATA("triangles", triangles), DATA("set", set),
+            NUMBER("ns_a_triangle", 1, ns), NUMBER("ns_a_cell", 2, ns * triangles / set), NUMBER("million_a_second", 3, 1e3 / ns),
+            NUMBER("times_exact", 3, ns / exact), NUMBER("one_of", 0, (double)t->step[c]),
+            NUMBER("cells_unlike", 0, has_unlike ? (double)score_unlike(&q->scores[c]) : (double)NAN),
+            TEXT("timed", list[c].is_timed_once ? "once" : ""));
     }
 }
 
@@ -369,14 +362,13 @@ static void tell_means(asked *q, const means *m)
     printout_table(&q->out, "geometric means over %zu meshes, times exact, by cells", m->count);
     for (size_t c = CONSERVATIVE; c < TIMED; c++) {
         double all = 0;
-        printout_text(&q->out, "contestant", names[c]);
+        ADD(&q->out, TEXT("contestant", names[c]));
         for (size_t r = 0; r < q->cell_counts; r++) {
             snprintf(cells[r], sizeof cells[r], "%u", q->cells[r]);
-            printout_number(&q->out, cells[r], 3, exp(m->logarithm[r][c] / (double)m->count));
+            ADD(&q->out, NUMBER(cells[r], 3, exp(m->logarithm[r][c] / (double)m->count)));
             all += m->logarithm[r][c];
         }
-        printout_number(&q->out, "all", 3, exp(all / (double)(m->count * q->cell_counts)));
-        printout_row(&q->out);
+        ROW(&q->out, NUMBER("all", 3, exp(all / (double)(m->count * q->cell_counts))));
     }
 }
 

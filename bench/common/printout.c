@@ -1,7 +1,6 @@
 /* printout.c - prints what was measured, and on what: asks Linux about the processor. */
 #include "printout.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -147,31 +146,17 @@ void printout_table(printout *r, const char *title, ...)
         printf("\n%s\n", line);
 }
 
-static void add(printout *r, printout_column column)
+void printout_add(printout *r, const printout_column *columns)
 {
-    if (r->columns < PRINTOUT_COLUMNS)
-        r->row[r->columns++] = column;
+    for (; columns->name && r->columns < PRINTOUT_COLUMNS; columns++)
+        r->row[r->columns++] = *columns;
 }
-
-void printout_text(printout *r, const char *name, const char *text) { add(r, (printout_column){name, text, NAN, 0, false}); }
-
-void printout_number(printout *r, const char *name, int decimals, double number)
-{
-    add(r, (printout_column){name, NULL, number, decimals, false});
-}
-
-void printout_text_data(printout *r, const char *name, const char *text) { add(r, (printout_column){name, text, NAN, 0, true}); }
-
-void printout_data(printout *r, const char *name, double number) { add(r, (printout_column){name, NULL, number, 6, true}); }
 
 void printout_times(printout *r, const samples *taken, size_t c)
 {
     const spread ns = measure_spread(taken, c);
-    printout_number(r, "ns_median", 3, ns.median);
-    printout_number(r, "ns_least", 3, ns.least);
-    printout_data(r, "ns_lower_quartile", ns.lower_quartile);
-    printout_data(r, "ns_upper_quartile", ns.upper_quartile);
-    printout_data(r, "rounds", (double)taken->rounds);
+    ADD(r, NUMBER("ns_median", 3, ns.median), NUMBER("ns_least", 3, ns.least), DATA("ns_lower_quartile", ns.lower_quartile),
+        DATA("ns_upper_quartile", ns.upper_quartile), DATA("rounds", (double)taken->rounds));
 }
 
 /* Text is on the left of its column, the first one wide enough for names. */
@@ -265,12 +250,8 @@ void printout_note(printout *r, const char *text, ...)
 
 void printout_goal(printout *r, const char *what, bool is_most, double goal, double reached)
 {
-    printout_text(r, "is", (is_most ? reached <= goal : reached >= goal) ? "reached" : "NOT reached");
-    printout_text(r, "bound", is_most ? "at most" : "at least");
-    printout_number(r, "goal", 2, goal);
-    printout_number(r, "here", 2, reached);
-    printout_text(r, "what", what);
-    printout_row(r);
+    ROW(r, TEXT("is", (is_most ? reached <= goal : reached >= goal) ? "reached" : "NOT reached"),
+        TEXT("bound", is_most ? "at most" : "at least"), NUMBER("goal", 2, goal), NUMBER("here", 2, reached), TEXT("what", what));
 }
 
 void printout_disturbed(printout *r, const samples *taken)

@@ -5,14 +5,11 @@
 #ifndef BENCH_PRINTOUT_H
 #define BENCH_PRINTOUT_H
 
+#include <math.h>
 #include <stdio.h>
 
 #include "console/json.h"
 #include "timing/timing.h"
-
-#ifdef __cplusplus
-extern "C" {
-#endif
 
 typedef struct printout_column {
     const char *name, *text; /* NULL for a number, NAN where there is none */
@@ -39,13 +36,30 @@ void printout_end(printout *r);
 /* The title of a table, in a line; rows follow. */
 __attribute__((format(printf, 2, 3))) void printout_table(printout *r, const char *title, ...);
 
-/* Adds a column to the row. name, text: used until printout_row. */
-void printout_text(printout *r, const char *name, const char *text);
-void printout_number(printout *r, const char *name, int decimals, double number);
+/*
+ * ADD adds columns to a row, of these: a text, a number with so many decimals, and the same for JSON and CSV alone. ROW also
+ * completes it. Names and texts are used until then.
+ */
+#define TEXT(name, text) \
+    { \
+        name, text, NAN, 0, false \
+    }
+#define NUMBER(name, decimals, number) \
+    { \
+        name, NULL, number, decimals, false \
+    }
+#define TEXT_DATA(name, text) \
+    { \
+        name, text, NAN, 0, true \
+    }
+#define DATA(name, number) \
+    { \
+        name, NULL, number, 6, true \
+    }
+#define ADD(r, ...) printout_add(r, (const printout_column[]){__VA_ARGS__, {.name = NULL}})
+#define ROW(r, ...) (ADD(r, __VA_ARGS__), printout_row(r))
 
-/* The same, but for JSON and CSV alone. */
-void printout_text_data(printout *r, const char *name, const char *text);
-void printout_data(printout *r, const char *name, double number);
+void printout_add(printout *r, const printout_column *columns); /* the last one has no name */
 
 /* The median and the least time of a contestant; in JSON and CSV the quartiles, too. */
 void printout_times(printout *r, const samples *taken, size_t c);
@@ -61,9 +75,5 @@ void printout_goal(printout *r, const char *what, bool is_most, double goal, dou
 
 /* Says so where other work took turns on the core: a quiet machine repeats a contestant to a few percent. */
 void printout_disturbed(printout *r, const samples *taken);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

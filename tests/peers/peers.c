@@ -48,13 +48,8 @@ static double times_own(const peers_result *r, int size, size_t e)
 static void tell_size(printout *out, const peers_result *r, int size, double hits)
 {
     for (size_t e = 0; e < r->entrant_count; e++) {
-        printout_text(out, "contestant", r->entrants[e].name);
-        printout_text_data(out, "scene", r->name);
-        printout_number(out, "box_%", 1, 100 * peer_part[size]);
-        printout_number(out, "hits", 1, hits);
-        printout_number(out, "us", 2, r->us[size][e]);
-        printout_number(out, "times", 1, times_own(r, size, e));
-        printout_row(out);
+        ROW(out, TEXT("contestant", r->entrants[e].name), TEXT_DATA("scene", r->name), NUMBER("box_%", 1, 100 * peer_part[size]),
+            NUMBER("hits", 1, hits), NUMBER("us", 2, r->us[size][e]), NUMBER("times", 1, times_own(r, size, e)));
     }
 }
 
@@ -75,14 +70,12 @@ static void tell_errors(printout *out, const field *f, size_t boxes, size_t hits
 {
     printout_table(out, "%s: answers about %zu boxes, %zu hits", f->scene->name, boxes, hits);
     for (size_t p = 0; p < f->peer_count; p++) {
-        printout_text(out, "peer", f->peers[p].peer->name);
-        printout_data(out, "all_hits", (double)hits);
-        printout_number(out, "missing", 0, f->peers[p].tree ? (double)unlike[p].missing : (double)NAN);
-        printout_number(out, "extra", 0, f->peers[p].tree ? (double)unlike[p].extra : (double)NAN);
-        printout_number(out, "within_rounding", 0, (double)unlike[p].near);
-        printout_number(out, "candidates_a_hit", 2, hits ? (double)unlike[p].candidates / (double)hits : (double)NAN);
-        printout_number(out, "seconds_to_build", 3, f->peers[p].seconds);
-        printout_row(out);
+        ROW(out, TEXT("peer", f->peers[p].peer->name), DATA("all_hits", (double)hits),
+            NUMBER("missing", 0, f->peers[p].tree ? (double)unlike[p].missing : (double)NAN),
+            NUMBER("extra", 0, f->peers[p].tree ? (double)unlike[p].extra : (double)NAN),
+            NUMBER("within_rounding", 0, (double)unlike[p].near),
+            NUMBER("candidates_a_hit", 2, hits ? (double)unlike[p].candidates / (double)hits : (double)NAN),
+            NUMBER("seconds_to_build", 3, f->peers[p].seconds));
     }
 }
 
