@@ -233,52 +233,175 @@ static bool run_shape(asked *q, const char *what, const timing_work *triangles, 
     return true;
 }
 
-/* A call each about some triangles of the scene, into 4 x 4 x 4 cells. */
-static const tribox_grid few_cells = {.origin = {-2, -2, -2}, .cell = {1, 1, 1}, .size = {4, 4, 4}};
-static bool run_voxelize(const contestant *self, uint64_t *mask, tribox_report *report)
+/* ---- every call of the library, about the same few triangles again and again: the least that it takes ------------------------- */
+
+enum { SIZES = 3, MOST = 64, TILE = 8, CELLS = 64 };
+
+/* A few triangles in every form, and room for every answer. What a call of CALLS wants, one before it has made. */
+typedef struct few {
+    tribox_soup soup;
+    tribox_mesh mesh;
+    tribox_boxes boxes;
+    tribox_box box;
+    tribox_oriented_box turned;
+    tribox_index index;
+    const float *first;
+    uint64_t mask[1], inside[1], bits[1], window[16], solid[16];
+    uint32_t number[MOST], children_of[MOST], order[MOST], list[MOST * MOST], ids[CELLS], cells[CELLS][3], in_tile[MOST],
+        in_cell[MOST * CELLS];
+    uint8_t children[MOST];
+    size_t start[MOST + 1], tile_start[2], cell_start[CELLS + 1], found, odd;
+    float streams[9][MOST], *to[9];
+    void *scratch, *nodes;
+} few;
+
+static const tribox_grid cells = {.origin = {-2, -2, -2}, .cell = {1, 1, 1}, .size = {4, 4, 4}};
+static const tribox_tiles tile = {TILE, 0, 1};
+
+static int take(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
-    const timing_work *const work = self->question;
-    for (size_t call = 0; call < work->count; call++)
-        if (tribox_voxelize(&work->jobs[call].soup, &few_cells, NULL, &self->options, mask, report))
-            return false;
-    return true;
+    (void)data, (void)at, (void)bits;
+    return 0;
 }
 
-static bool run_mesh_voxelize(const contestant *self, uint64_t *mask, tribox_report *report)
+static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
 {
-    const timing_work *const work = self->question;
-    for (size_t call = 0; call < work->count; call++) {
-        const size_t count = work->jobs[call].soup.count;
-        const tribox_mesh mesh = {.positions = work->jobs[call].triangles, .vertices = 3 * count, .count = count};
-        if (tribox_mesh_voxelize(&mesh, &few_cells, NULL, &self->options, mask, report))
-            return false;
+    (void)ids;
+    return take(data, at, bits);
+}
+
+static int take_lists(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t starts[513], const uint32_t *list)
+{
+    (void)starts, (void)list;
+    return take(data, at, bits);
+}
+
+static const tribox_sink sink = {take, NULL};
+static const tribox_ids_sink ids_sink = {take_ids, NULL};
+static const tribox_lists_sink lists_sink = {take_lists, NULL};
+
+#define REGION (&(tribox_region){.box = &f->box})
+#define BRICKS &cells, &tile, f->tile_start, f->in_tile, how, f->scratch
+
+/* SAYS a status, which has to be that of success; LISTS in two passes, both timed; IS anything else. */
+#define CALLS(SAYS, LISTS, IS) \
+    SAYS(tribox_overlap, &f->soup, &f->box, how, f->mask, NULL) \
+    SAYS(tribox_mesh_overlap, &f->mesh, &f->box, how, f->mask, NULL) \
+    SAYS(tribox_overlap_oriented, &f->soup, &f->turned, how, f->mask, NULL) \
+    SAYS(tribox_mesh_overlap_oriented, &f->mesh, &f->turned, how, f->mask, NULL) \
+    SAYS(tribox_overlap_boxes, f->first, &f->boxes, how, f->mask, NULL) \
+    SAYS(tribox_find, &f->soup, &f->box, how, TRIBOX_FIRST_HIT, &f->found) \
+    SAYS(tribox_mesh_find, &f->mesh, &f->box, how, TRIBOX_FIRST_HIT, &f->found) \
+    SAYS(tribox_classify, &f->soup, &f->box, how, f->mask, f->inside, NULL) \
+    SAYS(tribox_mesh_classify, &f->mesh, &f->box, how, f->mask, f->inside, NULL) \
+    SAYS(tribox_split, &f->soup, f->children_of, f->soup.count, &f->box, NULL, how, f->children, NULL) \
+    SAYS(tribox_mesh_split, &f->mesh, f->children_of, f->soup.count, &f->box, NULL, how, f->children, NULL) \
+    SAYS(tribox_index_build, &f->index, how, f->nodes) \
+    SAYS(tribox_index_update, &f->index, 0, f->soup.count, how, f->nodes) \
+    SAYS(tribox_index_overlap, &f->index, REGION, how, f->mask, NULL) \
+    SAYS(tribox_index_words, &f->index, REGION, how, 1, f->number, f->bits, f->inside, &f->found, NULL) \
+    SAYS(tribox_index_list, &f->index, REGION, how, MOST, f->list, &f->found) \
+    SAYS(tribox_index_lists, &f->index, &f->boxes, how, MOST *MOST, f->list, f->start) \
+    SAYS(tribox_index_any, &f->index, REGION, how, &f->found) \
+    SAYS(tribox_soup_sort, &f->soup, f->order, f->scratch) \
+    SAYS(tribox_mesh_sort, &f->mesh, f->order, f->scratch) \
+    SAYS(tribox_boxes_sort, &f->boxes, f->order, f->scratch) \
+    SAYS(tribox_soup_gather, &f->soup, f->order, 0, f->soup.count, f->to, f->to + 3, f->to + 6) \
+    SAYS(tribox_mesh_gather, &f->mesh, NULL, f->order, 0, f->soup.count, f->to, f->to + 3, f->to + 6) \
+    SAYS(tribox_mesh_to_soup, &f->mesh, NULL, 0, f->soup.count, how, f->to, f->to + 3, f->to + 6) \
+    SAYS(tribox_voxelize, &f->soup, &cells, NULL, how, f->window, NULL) \
+    SAYS(tribox_mesh_voxelize, &f->mesh, &cells, NULL, how, f->window, NULL) \
+    SAYS(tribox_voxelize_ids, &f->soup, 0, &cells, NULL, how, f->window, f->ids, NULL) \
+    SAYS(tribox_mesh_voxelize_ids, &f->mesh, 0, &cells, NULL, how, f->window, f->ids, NULL) \
+    SAYS(tribox_voxelize_thin, &f->soup, &cells, NULL, how, f->solid, NULL) \
+    SAYS(tribox_mesh_voxelize_thin, &f->mesh, &cells, NULL, how, f->solid, NULL) \
+    IS(tribox_window_cells, f->window, cells.size, f->cells) \
+    SAYS(tribox_fill_outside, cells.size, f->window, f->scratch, f->solid, &f->found) \
+    SAYS(tribox_fill_parity, &f->soup, &cells, f->window, f->scratch, f->solid, &f->found, &f->odd) \
+    SAYS(tribox_mesh_fill_parity, &f->mesh, &cells, f->window, f->scratch, f->solid, &f->found, &f->odd) \
+    LISTS(tribox_cell_lists, f->in_cell, &f->soup, &cells, NULL, how, f->cell_start) \
+    LISTS(tribox_mesh_cell_lists, f->in_cell, &f->mesh, &cells, NULL, how, f->cell_start) \
+    LISTS(tribox_tile_lists, f->in_tile, &f->soup, &cells, &tile, how, f->tile_start) \
+    LISTS(tribox_mesh_tile_lists, f->in_tile, &f->mesh, &cells, &tile, how, f->tile_start) \
+    SAYS(tribox_bricks, &f->soup, BRICKS, &sink, NULL) \
+    SAYS(tribox_mesh_bricks, &f->mesh, BRICKS, &sink, NULL) \
+    SAYS(tribox_bricks_ids, &f->soup, BRICKS, &ids_sink, NULL) \
+    SAYS(tribox_mesh_bricks_ids, &f->mesh, BRICKS, &ids_sink, NULL) \
+    SAYS(tribox_bricks_lists, &f->soup, BRICKS, &lists_sink, NULL) \
+    SAYS(tribox_mesh_bricks_lists, &f->mesh, BRICKS, &lists_sink, NULL) \
+    IS(tribox_mask_indices, f->mask, f->soup.count, f->number) \
+    IS(tribox_soup_not_finite, &f->soup, &f->found) \
+    IS(tribox_mesh_not_finite, &f->mesh, &f->found) \
+    IS(tribox_mesh_bad_vertices, &f->mesh, &f->found) \
+    IS(tribox_grid_cell, &cells, 1, 2, 3) \
+    IS(tribox_kernel_name, how) \
+    IS(tribox_version, )
+
+#define RUN_IT(name, does) \
+    static bool run_##name(const contestant *self, uint64_t *mask, tribox_report *report) \
+    { \
+        few *const f = (few *)(uintptr_t)self->question; \
+        const tribox_options *const how = &self->options; \
+        (void)f, (void)how, (void)mask, (void)report; \
+        does; \
     }
-    return true;
+#define RUN_SAYS(name, ...) RUN_IT(name, return !name(__VA_ARGS__))
+#define RUN_LISTS(name, list, ...) RUN_IT(name, return !name(__VA_ARGS__, NULL) && !name(__VA_ARGS__, list))
+#define RUN_IS(name, ...) RUN_IT(name, (void)name(__VA_ARGS__); return true)
+CALLS(RUN_SAYS, RUN_LISTS, RUN_IS)
+
+#define ROW_OF(name, ...) {#name, run_##name},
+static const struct {
+    const char *name;
+    contestant_run *run;
+} calls[] = {CALLS(ROW_OF, ROW_OF, ROW_OF)};
+
+static void make_few(const pairs *p, size_t count, few *f)
+{
+    const timing_job *const from = p->at.work.jobs;
+    *f = (few){.soup = from->soup, .first = from->triangles[0][0], .box = from->box, .boxes.count = count};
+    f->soup.count = count;
+    f->mesh = (tribox_mesh){.positions = from->triangles, .vertices = 3 * count, .count = count};
+    f->turned = (tribox_oriented_box){.half = {0.5f, 0.5f, 0.5f}, .axis = {{0.8f, 0.6f, 0}, {-0.6f, 0.8f, 0}, {0, 0, 1}}};
+    f->nodes = asked_allocate(tribox_index_bytes(MOST), 1);
+    f->scratch = asked_allocate(tribox_bricks_lists_bytes(TILE, MOST) + tribox_bricks_ids_bytes(TILE), 1);
+    f->index = (tribox_index){.nodes = f->nodes, .soup = &f->soup};
+    for (size_t a = 0; a < 3; a++) {
+        f->boxes.lo[a] = p->bounds + a * PAIRS;
+        f->boxes.hi[a] = p->bounds + (3 + a) * PAIRS;
+    }
+    for (uint32_t n = 0; n < MOST; n++)
+        f->children_of[n] = n;
+    for (size_t n = 0; n < 9; n++)
+        f->to[n] = f->streams[n];
 }
 
-static void run_cells(asked *q, const timing_work *triangles)
+static bool run_calls(asked *q, const pairs *p)
 {
-    enum { SIZES = 3 };
-    static const size_t at[SIZES] = {1, 4, 10}; /* of counts: 1, 8, 64 */
-    static const char *const names[2 * SIZES] = {"soup_of_1", "of_8", "of_64", "mesh_of_1", "mesh_of_8", "mesh_of_64"};
-    contestant list[CONTESTANTS_MAX];
-    size_t count = 0;
-    const char *kernel;
-    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
-        for (size_t n = 0; n < 2 * SIZES; n++) {
-            list[count] = contestant_kernel(&triangles[at[n % SIZES]], &(tribox_options){.kernel = kernel});
-            list[count].pairs = (double)triangles[at[n % SIZES]].count;
-            list[count++].run = n < SIZES ? run_voxelize : run_mesh_voxelize;
+    static few about[SIZES];
+    static const size_t sizes[SIZES] = {1, 8, 64};
+    contestant list[SIZES];
+    bool is_right = true;
+    for (size_t n = 0; n < SIZES; n++)
+        make_few(p, sizes[n], &about[n]);
+    printout_table(&q->out, "every call, exact: ns about the same 1, 8 and 64 triangles or boxes, a window or a tile of %d cells",
+                   CELLS);
+    for (size_t c = 0; is_right && c < sizeof calls / sizeof calls[0]; c++) {
+        for (size_t n = 0; n < SIZES; n++) {
+            list[n] = (contestant){.run = calls[c].run, .question = &about[n], .options.kernel = q->kernel, .pairs = 1};
+            is_right = is_right && list[n].run(&list[n], NULL, NULL);
         }
-    asked_measure(q, "cells", list, count, NULL, asked_effort(q, 31, 1e9, 5e-4), triangles[1].words + 4 * 4);
-    printout_table(&q->out, "cells, exact: ns a call about 1, 8 and 64 triangles, of tribox_voxelize and tribox_mesh_voxelize");
-    for (size_t c = 0; c < count; c += 2 * SIZES) {
-        ADD(&q->out, TEXT("kernel", list[c].options.kernel));
-        for (size_t n = 0; n < 2 * SIZES; n++)
-            ADD(&q->out, NUMBER(names[n], 1, measure_least(&q->taken, c + n)));
-        printout_row(&q->out);
+        if (!is_right)
+            return message_failure("%s refuses", calls[c].name) == EXIT_CODE_OK;
+        asked_measure(q, calls[c].name, list, SIZES, NULL, asked_effort(q, 31, 1e9, 2e-4), 1);
+        ROW(&q->out, TEXT("call", calls[c].name), NUMBER("of_1", 1, measure_least(&q->taken, 0)),
+            NUMBER("of_8", 1, measure_least(&q->taken, 1)), NUMBER("of_64", 1, measure_least(&q->taken, 2)));
     }
-    printout_disturbed(&q->out, &q->taken);
+    for (size_t n = 0; n < SIZES; n++) {
+        free(about[n].nodes);
+        free(about[n].scratch);
+    }
+    return is_right;
 }
 
 static bool answer(asked *q)
@@ -297,8 +420,7 @@ static bool answer(asked *q)
     for (int shape = 0; shape < 3; shape++)
         for (int a = 0; a < 2; a++)
             is_right = is_right && run_shape(q, shapes[shape], triangles, shape == 1 ? boxes : NULL, accuracies[a]);
-    if (is_right)
-        run_cells(q, triangles);
+    is_right = is_right && run_calls(q, &p);
     for (size_t n = 0; n < COUNTS; n++)
         timing_work_free(&triangles[n]);
     free_pairs(&p);
@@ -308,5 +430,5 @@ static bool answer(asked *q)
 const bench_question question_calls = {.name = "calls",
                                        .asks =
                                            "What does a call about a few triangles, or a few boxes, cost, beside the paper's test?",
-                                       .options = 1u << OPTION_QUICK,
+                                       .options = 1u << OPTION_KERNEL | 1u << OPTION_QUICK,
                                        .answer = answer};
