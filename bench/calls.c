@@ -233,7 +233,7 @@ static bool run_shape(asked *q, const char *what, const timing_work *triangles, 
     return true;
 }
 
-/* ---- every call of the library, about the same few triangles again and again: the least that it takes ------------------------- */
+/* ---- every call of the library, about the same few triangles again and again: the least that it takes ------------------------ */
 
 enum { SIZES = 3, MOST = 64, TILE = 8, CELLS = 64 };
 

@@ -10,8 +10,7 @@
 #include <string.h>
 
 #include "common/rivals.h"
-#include "index/index_forms.h"
-#include "index/ordered_soup.h"
+#include "common/box_scenes.h"
 #include "common/asked.h"
 #include "timing/timing.h"
 
@@ -113,7 +112,8 @@ static bool make(const index_scene *scene, size_t boxes, size_t evicted, const c
 {
     const size_t count = scene->room.soup.count;
     *f = (field){.scene = scene, .count = boxes};
-    if (!answer_room_make(count, evicted, &f->room) || !ordered_soup_make(scene, TRIES, kernel, &f->cuts))
+    answer_room_make(count, evicted, &f->room);
+    if (!ordered_soup_make(scene, TRIES, kernel, &f->cuts))
         return false;
     f->floats = asked_allocate(3 * count, sizeof *f->floats);
     f->doubles = asked_allocate(3 * count, sizeof *f->doubles);
@@ -122,12 +122,11 @@ static bool make(const index_scene *scene, size_t boxes, size_t evicted, const c
     f->wide = asked_allocate(boxes, sizeof *f->wide);
     f->moved = asked_allocate(boxes, sizeof *f->moved);
     f->turned = asked_allocate(boxes, sizeof *f->turned);
-    f->file_nodes = index_room(count);
-    f->mesh_nodes[0] = index_room(count);
-    f->mesh_nodes[1] = index_room(count);
+    f->file_nodes = asked_allocate(tribox_index_bytes(count), 1);
+    f->mesh_nodes[0] = asked_allocate(tribox_index_bytes(count), 1);
+    f->mesh_nodes[1] = asked_allocate(tribox_index_bytes(count), 1);
     f->file = (tribox_index){.nodes = f->file_nodes, .soup = &scene->room.soup};
-    return (f->file_nodes && f->mesh_nodes[0] && f->mesh_nodes[1] && make_meshes(f)) ||
-           message_failure("out of memory for meshes") == EXIT_CODE_OK;
+    return make_meshes(f) || message_failure("out of memory for meshes") == EXIT_CODE_OK;
 }
 
 static void release(field *f)
@@ -429,8 +428,11 @@ static void tell_goals(printout *out, const scene_result *results, size_t count)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------------------- */
 
-static bool ask_scene(asked *q, const index_scene *at, scene_result *r)
+static scene_result all_results[SCENES_MAX];
+
+static bool ask_scene(asked *q, const index_scene *at, size_t number)
 {
+    scene_result *const r = &all_results[number];
     const bool is_quick = asked_has(q, OPTION_QUICK);
     const size_t count = at->room.soup.count, boxes = (size_t)asked_number(q, OPTION_BOXES, is_quick ? 20 : 100);
     const effort how = {
@@ -458,24 +460,11 @@ static bool ask_scene(asked *q, const index_scene *at, scene_result *r)
 
 static bool answer(asked *q)
 {
-    static scene_result results[SCENES_MAX];
-    const char *const *usual;
-    const size_t usual_count = q->meshes.count ? 0 : index_scene_usual(&usual);
     const size_t terrain = (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_QUICK) ? 200000 : 10000000);
-    size_t count = 0;
-    for (size_t k = 0; k < usual_count && !asked_has(q, OPTION_QUICK); k++)
-        mesh_list_take(&q->meshes, usual[k]);
-    for (size_t k = 0; k < q->meshes.count + (terrain > 0); k++) {
-        index_scene at;
-        if (!(k < q->meshes.count ? index_scene_read(q->meshes.path[k], &at) : index_scene_terrain(terrain, q->seed, &at)))
-            return false;
-        const bool is_right = ask_scene(q, &at, &results[count++]);
-        index_scene_free(&at);
-        if (!is_right)
-            return false;
-    }
-    tell_goals(&q->out, results, count);
-    return true;
+    const bool is_right = index_scenes_ask(q, terrain, ask_scene);
+    if (is_right)
+        tell_goals(&q->out, all_results, q->meshes.count + (terrain > 0));
+    return is_right;
 }
 
 const bench_question question_index = {

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/asked.h"
 #include "peers_field.h"
 
 enum { SKIPPED = 77, PEER_SIZES = 7, RESULTS_MAX = MESH_LIST_MAX + 1 };
@@ -79,8 +78,11 @@ static void tell_errors(printout *out, const field *f, size_t boxes, size_t hits
     }
 }
 
-static bool run_scene(asked *q, const index_scene *at, peers_result *r)
+static peers_result all_results[RESULTS_MAX];
+
+static bool run_scene(asked *q, const index_scene *at, size_t number)
 {
+    peers_result *const r = &all_results[number];
     const size_t count = (size_t)asked_number(q, OPTION_BOXES, asked_has(q, OPTION_VERIFY) ? 5 : 50);
     field f;
     peer_errors unlike[PEERS_MAX] = {{0}};
@@ -176,24 +178,11 @@ static void tell_goals(printout *out, const peers_result *results, size_t count)
 
 static bool answer(asked *q)
 {
-    static peers_result results[RESULTS_MAX];
-    const char *const *usual;
-    const size_t usual_count = q->meshes.count ? 0 : index_scene_usual(&usual);
     const size_t terrain = (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_VERIFY) ? 20000 : 0);
-    for (size_t k = 0; k < usual_count; k++)
-        mesh_list_take(&q->meshes, usual[k]);
-    for (size_t k = 0; k < q->meshes.count + (terrain > 0); k++) {
-        index_scene at;
-        if (!(k < q->meshes.count ? index_scene_read(q->meshes.path[k], &at) : index_scene_terrain(terrain, q->seed, &at)))
-            return false;
-        const bool is_run = run_scene(q, &at, &results[k]);
-        index_scene_free(&at);
-        if (!is_run)
-            return false;
-    }
-    if (!asked_has(q, OPTION_VERIFY))
-        tell_goals(&q->out, results, q->meshes.count + (terrain > 0));
-    return true;
+    const bool is_right = index_scenes_ask(q, terrain, run_scene);
+    if (is_right && !asked_has(q, OPTION_VERIFY))
+        tell_goals(&q->out, all_results, q->meshes.count + (terrain > 0));
+    return is_right;
 }
 
 int main(int argc, char **argv)

@@ -2,10 +2,8 @@
 #ifndef TRIBOX_TESTS_PEERS_FIELD_H
 #define TRIBOX_TESTS_PEERS_FIELD_H
 
-#include "index/index_forms.h"
-#include "index/ordered_soup.h"
+#include "common/box_scenes.h"
 #include "peer.h"
-#include "timing/timing.h"
 
 enum { PEERS_MAX = 4, FIELD_MAX = 3 + 2 * PEERS_MAX };
 

@@ -1,0 +1,458 @@
+/* box_scenes.c - soups to be asked about many boxes, in order by cuts, and the forms in which an index answers, verified. */
+#define _POSIX_C_SOURCE 200809L
+#include "box_scenes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "read/mesh.h"
+#include "rivals.h"
+
+/* ---- soups and boxes --------------------------------------------------------------------------------------------------------- */
+
+enum { CACHE_LINE = 64, LINE_FLOATS = CACHE_LINE / sizeof(float) };
+
+void soup_room_make(size_t count, soup_room *made)
+{
+    const size_t stride = (count / LINE_FLOATS + 3) * LINE_FLOATS;
+    float *const to = asked_allocate(9 * stride, sizeof *to);
+    *made = (soup_room){.soup = {.count = count}, .storage = to};
+    for (int v = 0; v < 3; v++) {
+        made->soup.x[v] = made->x[v] = to + (size_t)v * stride;
+        made->soup.y[v] = made->y[v] = to + (size_t)(3 + v) * stride;
+        made->soup.z[v] = made->z[v] = to + (size_t)(6 + v) * stride;
+    }
+}
+
+static void soup_room_put(soup_room *to, size_t i, const float u[3][3])
+{
+    for (int v = 0; v < 3; v++) {
+        to->x[v][i] = u[v][0];
+        to->y[v][i] = u[v][1];
+        to->z[v][i] = u[v][2];
+    }
+}
+
+void soup_triangle(const tribox_soup *soup, size_t i, float u[3][3])
+{
+    for (int v = 0; v < 3; v++) {
+        u[v][0] = soup->x[v][i];
+        u[v][1] = soup->y[v][i];
+        u[v][2] = soup->z[v][i];
+    }
+}
+
+static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
+enum { USUAL = sizeof usual / sizeof usual[0], WITH_GOALS = 3 };
+
+static size_t index_scene_usual(const char *const **names)
+{
+    const char *const folder = getenv("TRIBOX_MESHES");
+    *names = usual;
+    if (folder && *folder)
+        return USUAL;
+    message_say("no meshes: name some, or a folder with them in TRIBOX_MESHES; skipped");
+    return 0;
+}
+
+bool index_scene_has_goals(const char *name)
+{
+    for (int k = 0; k < WITH_GOALS; k++)
+        if (!strcmp(name, usual[k]))
+            return true;
+    return false;
+}
+
+static void find_bounds(index_scene *made)
+{
+    const float *const *const streams[3] = {made->room.soup.x, made->room.soup.y, made->room.soup.z};
+    for (int a = 0; a < 3; a++) {
+        float lo = INFINITY, hi = -INFINITY;
+        for (int v = 0; v < 3; v++)
+            for (size_t i = 0; i < made->room.soup.count; i++) {
+                lo = fminf(lo, streams[a][v][i]);
+                hi = fmaxf(hi, streams[a][v][i]);
+            }
+        made->bounds.lo[a] = lo;
+        made->bounds.hi[a] = hi;
+    }
+}
+
+static bool is_finite(const float u[3][3])
+{
+    float sum = 0;
+    for (int k = 0; k < 9; k++)
+        sum += u[k / 3][k % 3] - u[k / 3][k % 3];
+    return sum == 0;
+}
+
+static bool index_scene_read(const char *name, index_scene *made)
+{
+    mesh m;
+    if (!mesh_list_read(name, &m))
+        return false;
+    snprintf(made->name, sizeof made->name, "%s", mesh_list_name(name));
+    soup_room_make(m.soup.count - m.not_finite, &made->room);
+    for (size_t i = 0, to = 0; i < m.soup.count; i++) {
+        float u[3][3];
+        soup_triangle(&m.soup, i, u);
+        if (is_finite((const float(*)[3])u)) /* the peers know nothing else */
+            soup_room_put(&made->room, to++, (const float(*)[3])u);
+    }
+    find_bounds(made);
+    mesh_free(&m);
+    return true;
+}
+
+/* Places are jittered, and what hills there are has no preferred size. */
+static void terrain_vertex(generator *g, size_t i, size_t j, size_t side, float u[3])
+{
+    const double turn = 6.283185307179586 / (double)side;
+    const double x = (double)i + (double)random_between(g, -0.3f, 0.3f), y = (double)j + (double)random_between(g, -0.3f, 0.3f);
+    double z = (double)random_between(g, 0, 0.3f), height = 0.06 * (double)side;
+    for (int waves = 1; waves < 200; waves *= 2, height /= 2.1)
+        z += height * sin(turn * waves * x + waves) * cos(turn * 1.1 * waves * y + 2 * waves);
+    u[0] = (float)x;
+    u[1] = (float)y;
+    u[2] = (float)z;
+}
+
+static void index_scene_terrain(size_t triangles, uint64_t seed, index_scene *made)
+{
+    size_t side = (size_t)sqrt((double)triangles / 2);
+    side = side ? side : 1;
+    generator g = {seed};
+    float(*const row)[3] = asked_allocate(2 * (side + 1), sizeof *row);
+    snprintf(made->name, sizeof made->name, "terrain");
+    soup_room_make(2 * side * side, &made->room);
+    for (size_t j = 0, to = 0; j <= side; j++) {
+        float(*const here)[3] = row + j % 2 * (side + 1), (*const before)[3] = row + (j + 1) % 2 * (side + 1);
+        for (size_t i = 0; i <= side; i++)
+            terrain_vertex(&g, i, j, side, here[i]);
+        for (size_t i = 0; j && i < side; i++)
+            for (size_t half = 0; half < 2; half++) {
+                float u[3][3];
+                memcpy(u[0], before[i], sizeof u[0]);
+                memcpy(u[1], half ? here[i + 1] : before[i + 1], sizeof u[1]);
+                memcpy(u[2], half ? here[i] : here[i + 1], sizeof u[2]);
+                soup_room_put(&made->room, to++, (const float(*)[3])u);
+            }
+    }
+    free(row);
+    find_bounds(made);
+}
+
+bool index_scenes_ask(asked *q, size_t terrain, index_scene_answer *ask)
+{
+    const char *const *names;
+    const size_t count = q->meshes.count || asked_has(q, OPTION_QUICK) ? 0 : index_scene_usual(&names);
+    bool is_right = true;
+    for (size_t k = 0; k < count; k++)
+        mesh_list_take(&q->meshes, names[k]);
+    for (size_t k = 0; is_right && k < q->meshes.count + (terrain > 0); k++) {
+        index_scene at;
+        if (k == q->meshes.count)
+            index_scene_terrain(terrain, q->seed, &at);
+        else if (!index_scene_read(q->meshes.path[k], &at))
+            return false;
+        is_right = ask(q, &at, k);
+        free(at.room.storage);
+    }
+    return is_right;
+}
+
+double index_scene_extent(const index_scene *scene)
+{
+    double extent = 0;
+    for (int a = 0; a < 3; a++)
+        extent = fmax(extent, (double)scene->bounds.hi[a] - (double)scene->bounds.lo[a]);
+    return extent;
+}
+
+size_t index_scene_boxes_within(const index_scene *scene, size_t pairs, size_t most)
+{
+    const size_t boxes = pairs / scene->room.soup.count;
+    return boxes == 0 ? 1 : boxes < most ? boxes : most;
+}
+
+/* By way of memory: gcc 12 leaves out the rounding where it takes several such numbers at once. */
+static double as_float(double number)
+{
+    const volatile float nearest = (float)number;
+    return nearest;
+}
+
+void index_scene_boxes(const index_scene *scene, double part, size_t count, uint64_t seed, tribox_box *boxes)
+{
+    generator g = {seed};
+    const double half = index_scene_extent(scene) * part / 2;
+    for (size_t b = 0; b < count; b++) {
+        float u[3][3];
+        soup_triangle(&scene->room.soup, random_below(&g, scene->room.soup.count), u);
+        double p = (double)random_between(&g, 0, 1), q = (double)random_between(&g, 0, 1);
+        if (p + q > 1) {
+            p = 1 - p;
+            q = 1 - q;
+        }
+        for (int a = 0; a < 3; a++) {
+            const double middle = (double)u[0][a] * (1 - p - q) + (double)u[1][a] * p + (double)u[2][a] * q;
+            boxes[b].lo[a] = as_float(middle - half);
+            boxes[b].hi[a] = as_float(middle + half);
+        }
+    }
+}
+
+/* ---- order by cuts ----------------------------------------------------------------------------------------------------------- */
+
+/* Of the processor, as in timing/timing.c. */
+static double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Keeps the lesser time; returns when the next step begins. */
+static double keep_least(double *least, double begin, size_t count)
+{
+    const double now = seconds_now();
+    *least = fmin(*least, 1e9 * (now - begin) / (double)count);
+    return seconds_now();
+}
+
+static bool try_once(const index_scene *scene, const char *kernel, void *scratch, ordered_soup *made)
+{
+    const tribox_soup *const soup = &scene->room.soup;
+    double begin = seconds_now();
+    if (tribox_soup_sort(soup, made->ids, scratch))
+        return false;
+    begin = keep_least(&made->cost.order, begin, soup->count);
+    if (tribox_soup_gather(soup, made->ids, 0, soup->count, made->room.x, made->room.y, made->room.z))
+        return false;
+    begin = keep_least(&made->cost.gather, begin, soup->count);
+    made->index = (tribox_index){.nodes = made->memory, .soup = &made->room.soup, .ids = made->ids};
+    if (tribox_index_build(&made->index, &(tribox_options){.kernel = kernel}, made->memory))
+        return false;
+    keep_least(&made->cost.build, begin, soup->count);
+    return true;
+}
+
+bool ordered_soup_make(const index_scene *scene, int tries, const char *kernel, ordered_soup *made)
+{
+    const size_t count = scene->room.soup.count;
+    void *const scratch = asked_allocate(count, 16);
+    *made = (ordered_soup){.ids = asked_allocate(count, sizeof *made->ids),
+                           .memory = asked_allocate(tribox_index_bytes(count), 1),
+                           .cost = {INFINITY, INFINITY, INFINITY}};
+    bool is_made = true;
+    soup_room_make(count, &made->room);
+    for (int t = 0; is_made && t < tries; t++)
+        is_made = try_once(scene, kernel, scratch, made);
+    free(scratch);
+    return is_made || message_failure("%s cannot be ordered or indexed", scene->name) == EXIT_CODE_OK;
+}
+
+void ordered_soup_free(ordered_soup *made)
+{
+    free(made->room.storage);
+    free(made->ids);
+    free(made->memory);
+}
+
+/* ---- forms of answers -------------------------------------------------------------------------------------------------------- */
+
+static const char *const names[FORMS] = {"list", "count", "any", "words", "mask", "linear"};
+
+const char *index_form_name(index_form form) { return names[form]; }
+
+void answer_room_make(size_t triangles, size_t elsewhere_bytes, answer_room *made)
+{
+    const size_t words = tribox_mask_words(triangles) + 1;
+    uint64_t *const storage = asked_allocate(words, 3 * sizeof(uint64_t) + 65 * sizeof(uint32_t));
+    *made = (answer_room){.storage = storage,
+                          .bits = storage,
+                          .mask = storage + words,
+                          .linear = storage + 2 * words,
+                          .number = (uint32_t *)(storage + 3 * words),
+                          .elsewhere = asked_allocate(elsewhere_bytes, 1),
+                          .elsewhere_bytes = elsewhere_bytes};
+    made->list = made->number + words;
+}
+
+void answer_room_free(answer_room *made)
+{
+    free(made->storage);
+    free(made->elsewhere);
+}
+
+static tribox_region region_of(const index_question *q, size_t b)
+{
+    return q->boxes ? (tribox_region){.box = &q->boxes[b]} : (tribox_region){.oriented = &q->turned[b]};
+}
+
+static bool ask_list(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
+{
+    const tribox_region region = region_of(q, b);
+    return !tribox_index_list(q->index, &region, options, q->triangles, q->room->list, &report->overlapping);
+}
+
+static bool ask_count(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
+{
+    const tribox_region region = region_of(q, b);
+    return !tribox_index_overlap(q->index, &region, options, NULL, report);
+}
+
+/* Counts whether there is one; which it is stands in number[0]. */
+static bool ask_any(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
+{
+    const tribox_region region = region_of(q, b);
+    size_t triangle;
+    const bool is_answered = !tribox_index_any(q->index, &region, options, &triangle);
+    q->room->number[0] = (uint32_t)triangle;
+    report->overlapping = triangle < q->triangles;
+    return is_answered;
+}
+
+/* Counts words. */
+static bool ask_words(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
+{
+    const tribox_region region = region_of(q, b);
+    return !tribox_index_words(q->index, &region, options, tribox_mask_words(q->triangles), q->room->number, q->room->bits, NULL,
+                               &report->overlapping, NULL);
+}
+
+static bool ask_mask(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
+{
+    const tribox_region region = region_of(q, b);
+    return !tribox_index_overlap(q->index, &region, options, q->room->mask, report);
+}
+
+static bool ask_linear(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
+{
+    uint64_t *const mask = q->room->linear;
+    return !(!q->boxes ? tribox_overlap_oriented(q->soup, &q->turned[b], options, mask, report)
+             : q->soup ? tribox_overlap(q->soup, &q->boxes[b], options, mask, report)
+                       : tribox_mesh_overlap(q->mesh, &q->boxes[b], options, mask, report));
+}
+
+typedef bool ask_form(const index_question *q, size_t b, const tribox_options *options, tribox_report *report);
+
+/* contestant.pairs: boxes. */
+static inline bool run_form(const contestant *self, ask_form *ask)
+{
+    tribox_report one;
+    for (size_t b = 0; b < (size_t)self->pairs; b++)
+        if (!ask(self->question, b, &self->options, &one))
+            return false;
+    return true;
+}
+
+#define RUN(form) \
+    static bool run_##form(const contestant *self, uint64_t *mask, tribox_report *report) \
+    { \
+        (void)mask; \
+        (void)report; \
+        return run_form(self, ask_##form); \
+    }
+RUN(list)
+RUN(count)
+RUN(any)
+RUN(words)
+RUN(mask)
+RUN(linear)
+
+void index_warm_up(const contestant *self, uint64_t *mask) { self->run(self, mask, NULL); }
+
+static void empty_caches(const contestant *self, uint64_t *mask)
+{
+    const answer_room *const room = ((const index_question *)self->question)->room;
+    mask[0] = loads_words(room->elsewhere, room->elsewhere_bytes / sizeof(uint32_t));
+}
+
+contestant index_contestant(const index_question *question, index_form form, bool is_cold, const char *kernel)
+{
+    static bool (*const run[FORMS])(const contestant *, uint64_t *, tribox_report *) = {run_list,  run_count, run_any,
+                                                                                        run_words, run_mask,  run_linear};
+    const bool is_linear = form == FORM_LINEAR;
+    contestant made = {.run = run[form], .question = question, .options = {.kernel = kernel}};
+    made.pairs = (double)(is_linear ? question->linear_count : question->count);
+    made.prepare = is_cold ? empty_caches : is_linear ? NULL : index_warm_up;
+    snprintf(made.name, sizeof made.name, "%s", names[form]);
+    return made;
+}
+
+double index_hits(const index_question *q, const char *kernel)
+{
+    double hits = 0;
+    for (size_t b = 0; b < q->count; b++) {
+        tribox_report one = {0, 0};
+        ask_count(q, b, &(tribox_options){.kernel = kernel}, &one);
+        hits += (double)one.overlapping;
+    }
+    return hits / (double)q->count;
+}
+
+static bool is_set(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
+
+/* The list is to be the set bits in ascending order, each by the number that it has in the file. */
+static bool is_list_right(const index_question *q, size_t found)
+{
+    size_t at = 0;
+    for (size_t i = 0; i < q->triangles; i++)
+        if (is_set(q->room->linear, i)) {
+            if (at == found || q->room->list[at] != (q->ids ? q->ids[i] : (uint32_t)i))
+                return false;
+            at++;
+        }
+    return at == found;
+}
+
+static bool are_words_right(const index_question *q, size_t found)
+{
+    const size_t words = tribox_mask_words(q->triangles);
+    size_t at = 0;
+    for (size_t w = 0; w < words; w++)
+        if (q->room->linear[w]) {
+            if (at == found || q->room->number[at] != w || q->room->bits[at] != q->room->linear[w])
+                return false;
+            at++;
+        }
+    return at == found;
+}
+
+/* Forms that are wrong about a box; a refusal is wrong, too. */
+static unsigned find_wrong(const index_question *q, size_t b, const tribox_options *options)
+{
+    const size_t words = tribox_mask_words(q->triangles);
+    tribox_report linear, mask, count, list, found, any;
+    unsigned wrong = 0;
+    if (!ask_linear(q, b, options, &linear))
+        return 1u << FORM_LINEAR;
+    memset(q->room->mask, 0xff, words * sizeof *q->room->mask);
+    if (!ask_mask(q, b, options, &mask) || mask.overlapping != linear.overlapping ||
+        memcmp(q->room->mask, q->room->linear, words * sizeof *q->room->mask) != 0)
+        wrong |= 1u << FORM_MASK;
+    if (!ask_count(q, b, options, &count) || count.overlapping != linear.overlapping)
+        wrong |= 1u << FORM_COUNT;
+    if (!ask_list(q, b, options, &list) || list.overlapping != linear.overlapping || !is_list_right(q, list.overlapping))
+        wrong |= 1u << FORM_LIST;
+    if (!ask_words(q, b, options, &found) || !are_words_right(q, found.overlapping))
+        wrong |= 1u << FORM_WORDS;
+    if (!ask_any(q, b, options, &any) || any.overlapping != (linear.overlapping > 0) ||
+        (any.overlapping && !is_set(q->room->linear, q->room->number[0])))
+        wrong |= 1u << FORM_ANY;
+    return wrong;
+}
+
+bool index_forms_verify(const index_question *question, size_t boxes, const char *kernel)
+{
+    for (size_t b = 0; b < boxes && b < question->count; b++) {
+        const unsigned wrong = find_wrong(question, b, &(tribox_options){.kernel = kernel});
+        for (int f = 0; f < FORMS; f++)
+            if (wrong >> f & 1)
+                return message_failure("%s, box %zu: %s is wrong", question->name, b, names[f]) == EXIT_CODE_OK;
+    }
+    return true;
+}
