@@ -34,9 +34,6 @@ bool cgal_peer_is_degenerate(const cgal_peer *peer, size_t i)
 /* Of a scene the first triangles: CGAL takes seconds for all of them where it needs exact numbers. */
 enum { TRIANGLES = 16384 };
 
-/* How many times as fast as CGAL EXACT of avx2 is to be, on the scene of the paper. */
-static const double goal = 80;
-
 static const char *const names[CGAL_WAYS] = {"cgal-epick-bbox", "cgal-epick-cuboid", "cgal-epeck-bbox", "cgal-epeck-cuboid"};
 
 static bool run_peer(const contestant *self, uint64_t *mask, tribox_report *report)
@@ -112,9 +109,6 @@ static bool ask_about(asked *q, const scene *at, const contestant *list, size_t 
         printout_row(&q->out);
         is_right = !proper || message_failure("%s: CGAL answers otherwise on triangles that are not degenerate", at->name) == 0;
     }
-    for (size_t c = kernels; is_right && is_timed && avx2 && !strcmp(at->name, "paper") && c < count; c++)
-        printout_note(&q->out, "goal: avx2-exact at least %.0f times the speed of %s: %s", goal, list[c].name,
-                      measure_ratio(&q->taken, c, avx2).median >= goal ? "reached" : "NOT reached");
     if (is_timed)
         printout_disturbed(&q->out, &q->taken);
     free(exact);

@@ -312,14 +312,9 @@ static bool is_peer_of_one_mind(const double_scene *at, const cgal_peer *peer)
     return !unlike;
 }
 
-/* What the goals are about: least times, by scene and contestant. */
-typedef struct figures {
-    double ns[DOUBLE_SCENES][ENTRIES];
-    double stage[STAGE_SCENES];
-} figures;
-
-static void tell_scene(asked *q, const double_scene *at, const contestant *list, size_t count, double ns[ENTRIES])
+static void tell_scene(asked *q, const double_scene *at, const contestant *list, size_t count)
 {
+    double ns[ENTRIES];
     printout_table(&q->out, "%s: %zu triangles, %s; %.3f %% left to slower stages", at->name, at->count, at->what,
                    100 * (double)q->scores[DOUBLE_NINE].undecided / (double)at->count);
     for (size_t k = 0; k < count; k++) {
@@ -334,7 +329,7 @@ static void tell_scene(asked *q, const double_scene *at, const contestant *list,
     printout_disturbed(&q->out, &q->taken);
 }
 
-static bool run_scene(asked *q, size_t number, double ns[ENTRIES])
+static bool run_scene(asked *q, size_t number)
 {
     double_scene at;
     form questions[ENTRIES];
@@ -347,7 +342,7 @@ static bool run_scene(asked *q, size_t number, double ns[ENTRIES])
     const bool is_right = (!peer || is_peer_of_one_mind(&at, peer)) &&
                           asked_measure(q, at.name, list, count, &from, asked_effort(q, 51, 8, 1e-3), from.words);
     if (is_right)
-        tell_scene(q, &at, list, count, ns);
+        tell_scene(q, &at, list, count);
     cgal_peer_free(peer);
     double_scene_free(&at);
     return is_right;
@@ -357,7 +352,7 @@ static bool run_scene(asked *q, size_t number, double ns[ENTRIES])
  * What each triangle that the first stage leaves takes beyond those that it decides: the box normals of ordinary triangles, of the
  * first scene of these.
  */
-static void run_stage(asked *q, stage_scene which, double *ns)
+static void run_stage(asked *q, stage_scene which)
 {
     double_scene at[2];
     form question[2];
@@ -379,51 +374,22 @@ static void run_stage(asked *q, stage_scene which, double *ns)
         exit(message_failure("the library refuses a scene"));
     asked_measure(q, "stage", list, 2, NULL, asked_effort(q, 51, 8, 1e-3), words);
     const double more = measure_least(&q->taken, 1) - measure_least(&q->taken, 0);
-    *ns = report.undecided ? more * (double)at[1].count / (double)report.undecided : 0;
+    const double ns = report.undecided ? more * (double)at[1].count / (double)report.undecided : 0;
     ROW(&q->out, TEXT("settled", stage_names[which]), NUMBER("triangles", 0, (double)report.undecided),
-        NUMBER("ns_a_triangle", 1, *ns));
+        NUMBER("ns_a_triangle", 1, ns));
     free(mask);
     double_scene_free(&at[0]);
     double_scene_free(&at[1]);
 }
 
-static void tell_goals(asked *q, const figures *f)
-{
-    enum { CACHE, WHOLE, OFFSET, MEMORY = 6 };
-    const double *const cache = f->ns[CACHE], *const whole = f->ns[WHOLE], *const offset = f->ns[OFFSET],
-                        *const memory = f->ns[MEMORY];
-    const struct {
-        const char *what;
-        double most, here;
-    } goals[] = {
-        {"nine doubles, times nine floats, in the first caches", 1.6, cache[DOUBLE_NINE] / cache[FLOAT_NINE]},
-        {"nine doubles, times nine floats, in the last cache", 1.6, whole[DOUBLE_NINE] / whole[FLOAT_NINE]},
-        {"indexed doubles, times indexed floats, in the first caches", 1.6, cache[DOUBLE_INDEXED] / cache[FLOAT_INDEXED]},
-        {"indexed doubles, times indexed floats, in the last cache", 1.6, whole[DOUBLE_INDEXED] / whole[FLOAT_INDEXED]},
-        {"nine doubles far from the origin, times those near", 1.05, offset[DOUBLE_NINE] / whole[DOUBLE_NINE]},
-        {"ns to settle a triangle in double", 40, f->stage[STAGE_DOUBLE]},
-        {"ns to settle a triangle in integers", 500, f->stage[STAGE_SHORT]},
-        {"nine doubles, times reading them, beyond the caches", 1.15, memory[DOUBLE_NINE] / memory[READ_NINE]},
-        {"indexed doubles, times reading them, beyond the caches", 1.15, memory[DOUBLE_INDEXED] / memory[READ_INDEXED]},
-    };
-    printout_table(&q->out, "goals");
-    for (size_t k = 0; k < sizeof goals / sizeof goals[0]; k++)
-        if (goals[k].here > 0)
-            printout_goal(&q->out, goals[k].what, true, goals[k].most, goals[k].here);
-    if (whole[PEER] > 0)
-        printout_goal(&q->out, "times the speed of CGAL's Epick", false, 50, whole[PEER] / whole[DOUBLE_NINE]);
-}
-
 static bool answer(asked *q)
 {
-    static figures f;
     for (size_t k = 0; k < DOUBLE_SCENES; k++)
-        if (!(asked_has(q, OPTION_QUICK) && double_scene_is_large(k)) && !run_scene(q, k, f.ns[k]))
+        if (!(asked_has(q, OPTION_QUICK) && double_scene_is_large(k)) && !run_scene(q, k))
             return false;
     printout_table(&q->out, "what a triangle costs that the first stage leaves undecided");
     for (stage_scene which = STAGE_DOUBLE; which < STAGE_SCENES; which++)
-        run_stage(q, which, &f.stage[which]);
-    tell_goals(q, &f);
+        run_stage(q, which);
     return true;
 }
 

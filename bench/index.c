@@ -19,7 +19,7 @@ typedef enum kind { OF_FILE, OF_CUTS, TURNED, WIDE_BOXES, OF_MESH, OF_DOUBLES, K
 static const char *const kind_names[KINDS] = {"file",           "cuts",           "turned boxes", "boxes of doubles",
                                               "mesh of floats", "mesh of doubles"};
 
-enum { BOX_SIZES = 4, TRIES = 3, MANY_SIZES = 2, SCENES_MAX = MESH_LIST_MAX + 1 };
+enum { BOX_SIZES = 4, TRIES = 3, MANY_SIZES = 2 };
 static const double box_part[BOX_SIZES] = {0.001, 0.01, 0.1, 0.5};
 
 /* A linear pass has as many boxes as there is time for: one costs hardly more than another, but turned ones do. */
@@ -27,11 +27,11 @@ static const size_t linear_pairs = 100000000, turned_pairs = 25000000, verified_
 
 static const double sample_seconds = 2e-3;
 
-/* What goals are about: microseconds a box, nanoseconds a triangle. */
+/* Microseconds a box, nanoseconds a triangle. */
 typedef struct scene_result {
     char name[64];
     size_t triangles;
-    double us[BOX_SIZES][KINDS][FORMS], reading, order, build[KINDS], memory;
+    double us[BOX_SIZES][KINDS][FORMS], reading, build[KINDS], memory;
 } scene_result;
 
 /* Of one soup. */
@@ -192,7 +192,6 @@ static void measure_builds(asked *q, field *f, effort how, scene_result *r)
     for (size_t k = 0; k < BUILDS; k++)
         r->build[kinds[k]] = measure_least(&q->taken, k);
     r->reading = measure_least(&q->taken, BUILDS);
-    r->order = f->cuts.cost.order;
 }
 
 /* After how many lists of boxes of a size order, gathering and build are paid back. */
@@ -362,78 +361,14 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
     return is_right || message_failure("the lists of %zu boxes are wrong", count) == EXIT_CODE_OK;
 }
 
-/* ---- goals ----------------------------------------------------------------------------------------------------------------- */
-
-static double list_ratio(const scene_result *r, kind k, int size)
-{
-    return r->us[size][k][FORM_LINEAR] / r->us[size][k][FORM_LIST];
-}
-
-/* Geometric means over the meshes that goals are about; the terrain has its own. */
-static void tell_list_goals(printout *out, const scene_result *results, size_t count)
-{
-    static const double of_meshes[BOX_SIZES] = {200, 60, 12, 5}, of_terrain[BOX_SIZES] = {5000, 1000, 80, 12};
-    for (int p = 0; p < BOX_SIZES; p++) {
-        char what[96];
-        double logarithm = 0;
-        size_t found = 0;
-        for (size_t r = 0; r < count; r++) {
-            const bool is_terrain = !strcmp(results[r].name, "terrain") && results[r].triangles >= 9000000;
-            if (index_scene_has_goals(results[r].name)) {
-                logarithm += log(list_ratio(&results[r], OF_CUTS, p));
-                found++;
-            }
-            snprintf(what, sizeof what, "list, cuts, boxes of %.1f %%: times linear, terrain", 100 * box_part[p]);
-            if (is_terrain)
-                printout_goal(out, what, false, of_terrain[p], list_ratio(&results[r], OF_CUTS, p));
-        }
-        snprintf(what, sizeof what, "list, cuts, boxes of %.1f %%: times linear, mean of %zu", 100 * box_part[p], found);
-        if (found)
-            printout_goal(out, what, false, of_meshes[p], exp(logarithm / (double)found));
-    }
-}
-
-/* The worst of all soups; of those that are larger than a cache; and of the meshes that goals are about. */
-static void tell_goals(printout *out, const scene_result *results, size_t count)
-{
-    double file = 0, build = 0, large_build = 0, large_memory = 0, doubles = 0, boxes = 0;
-    printout_table(out, "goals");
-    tell_list_goals(out, results, count);
-    for (size_t k = 0; k < count; k++) {
-        const scene_result *const r = &results[k];
-        const bool is_large = r->triangles >= 100000, has_goals = index_scene_has_goals(r->name);
-        build = fmax(build, r->build[OF_CUTS] / r->reading);
-        large_build = is_large ? fmax(large_build, r->build[OF_CUTS] / r->reading) : large_build;
-        large_memory = is_large ? fmax(large_memory, 100 * r->memory) : large_memory;
-        for (int p = 0; p < BOX_SIZES; p++) {
-            const double soup = r->us[p][OF_CUTS][FORM_LIST];
-            file = fmax(file, 1 / list_ratio(r, OF_FILE, p));
-            doubles = has_goals ? fmax(doubles, r->us[p][OF_DOUBLES][FORM_LIST] / soup) : doubles;
-            boxes = has_goals ? fmax(boxes, r->us[p][WIDE_BOXES][FORM_LIST] / soup) : boxes;
-        }
-        if (!strcmp(r->name, "dragon_vrip.ply"))
-            printout_goal(out, "order by cuts: ns a triangle, dragon", true, 80, r->order);
-    }
-    printout_goal(out, "list, in the order of the file: linear's time, the worst", true, 1.15, file);
-    printout_goal(out, "build: times reading, the worst", true, 1.5, build);
-    if (large_memory > 0) {
-        printout_goal(out, "build: times reading, the worst from 100,000 triangles on", true, 1.5, large_build);
-        printout_goal(out, "memory: percent of the streams, the worst from 100,000 on", true, 1.2, large_memory);
-    }
-    if (boxes > 0) {
-        printout_goal(out, "list, mesh of doubles: the ordered soup's time, the worst", true, 2.5, doubles);
-        printout_goal(out, "list, boxes of doubles: that of boxes of floats, the worst", true, 1.1, boxes);
-    }
-}
-
 /* ---- all of it ------------------------------------------------------------------------------------------------------------- */
-
-static scene_result all_results[SCENES_MAX];
 
 static bool ask_scene(asked *q, const index_scene *at, size_t number)
 {
-    scene_result *const r = &all_results[number];
+    static scene_result result;
+    scene_result *const r = &result;
     const bool is_quick = asked_has(q, OPTION_QUICK);
+    (void)number;
     const size_t count = at->room.soup.count, boxes = (size_t)asked_number(q, OPTION_BOXES, is_quick ? 20 : 100);
     const effort how = {
         .rounds = (size_t)asked_number(q, OPTION_ROUNDS, is_quick ? 3 : 9), .seconds = 1e9, .sample = sample_seconds};
@@ -460,11 +395,7 @@ static bool ask_scene(asked *q, const index_scene *at, size_t number)
 
 static bool answer(asked *q)
 {
-    const size_t terrain = (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_QUICK) ? 200000 : 10000000);
-    const bool is_right = index_scenes_ask(q, terrain, ask_scene);
-    if (is_right)
-        tell_goals(&q->out, all_results, q->meshes.count + (terrain > 0));
-    return is_right;
+    return index_scenes_ask(q, (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_QUICK) ? 200000 : 10000000), ask_scene);
 }
 
 const bench_question question_index = {

@@ -15,18 +15,6 @@
 
 static const char *const axes_names[] = {"", "box", "plane", "box+plane", "edges", "box+edges", "plane+edges", "all"};
 
-/* What the project set out to reach, in times the time of FAST of the same kernel. */
-static const struct goal {
-    const char *scene, *contestant;
-    double most;
-} goals[] = {
-    {"paper", "avx2-exact", 1.10},   {"paper", "avx2-conservative", 1.10},
-    {"paper", "avx512-exact", 1.10}, {"paper", "avx512-conservative", 1.10},
-    {"cad", "avx2-exact", 2},        {"cad", "avx512-exact", 2},
-    {"cad-tenths", "avx2-exact", 2}, {"cad-tenths", "avx512-exact", 2},
-    {"touching", "avx2-exact", 12},  {"touching", "avx512-exact", 12},
-};
-
 /* What was found of a scene: of a sweep, or of other choices of axes. */
 typedef struct found {
     const char *name;
@@ -95,17 +83,6 @@ static bool tell_choices(asked *q, const char *name, const timing_work *work)
     return true;
 }
 
-static void tell_goals(printout *out, const found *f)
-{
-    for (size_t g = 0; g < sizeof goals / sizeof goals[0]; g++)
-        for (size_t c = 0; !strcmp(goals[g].scene, f->name) && c < f->count; c++) {
-            const tribox_options *const own = &f->list[c].options;
-            if (!strcmp(goals[g].contestant, f->list[c].name) && !own->axis_order && own->axes == TRIBOX_AXES_ALL)
-                printout_note(out, "goal: %s at most %.2f times fast: %s, %.2f", goals[g].contestant, goals[g].most,
-                              times_fast(f, c) <= goals[g].most ? "reached" : "NOT reached", times_fast(f, c));
-        }
-}
-
 /* Nanoseconds, least of the rounds, of one kernel and accuracy. */
 static void tell_order(printout *out, const sweep *s, const char *kernel, tribox_accuracy accuracy)
 {
@@ -151,7 +128,6 @@ static bool ask_about(asked *q, const char *name, const char *what, const timing
     tell_accuracies(out, &f);
     if (!tell_choices(q, name, work))
         return false;
-    tell_goals(out, &f);
     printout_disturbed(out, &s.taken);
     printout_table(out, "%s: ns a pair, least of the rounds, by order of the axes: 1 box normals, 2 plane, 3 edges", name);
     tell_order(out, &s, NULL, TRIBOX_FAST);
