@@ -257,11 +257,12 @@ bool asked_verify(asked *q, const char *name, const contestant *list, size_t cou
     return is_right;
 }
 
-bool asked_measure(asked *q, const char *name, const contestant *list, size_t count, const truth *from, effort how, size_t words)
+bool asked_measure(asked *q, const char *name, const contestant *list, size_t count, const truth *from, effort how,
+                   size_t mask_words)
 {
     if (from && !asked_verify(q, name, list, count, from))
         return false;
-    uint64_t *const mask = asked_allocate(words + 1, sizeof *mask);
+    uint64_t *const mask = asked_allocate(mask_words + 1, sizeof *mask);
     measure(list, count, how, &q->order, mask, &q->taken);
     free(mask);
     return true;
