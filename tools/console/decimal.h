@@ -1,4 +1,4 @@
-/* decimal.h - floats and doubles as decimals, for people and for programs that read them back. */
+/* decimal.h - floats and doubles as decimals, for programs that read them back; times and counts as people read them. */
 #ifndef DECIMAL_H
 #define DECIMAL_H
 
@@ -12,5 +12,13 @@ const char *decimal_of(float number, char text[DECIMAL_MAX]);
 
 /* The same for a double. */
 const char *decimal_of_double(double number, char text[DECIMAL_MAX]);
+
+enum { DURATION_MAX = 32 }; /* the longest text, with its end */
+
+/* "0.125 ms", "126.7 s", "1 h 05 min". Returns text. */
+const char *duration_text(double seconds, char text[DURATION_MAX]);
+
+/* "950", "9.5 thousand", "99 million". Returns text. */
+const char *duration_count(double count, char text[DURATION_MAX]);
 
 #endif

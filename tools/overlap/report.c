@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "console/accuracy.h"
-#include "console/duration.h"
+#include "console/decimal.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "console/output.h"

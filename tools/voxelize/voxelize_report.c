@@ -6,7 +6,6 @@
 
 #include "console/accuracy.h"
 #include "console/decimal.h"
-#include "console/duration.h"
 #include "console/output.h"
 #include "voxelize_work.h"
 

@@ -1,0 +1,153 @@
+/* system_posix.c - what the program asks Linux and its like about streams, processors and memory. */
+#define _DEFAULT_SOURCE
+#include "memory.h"
+#include "pages.h"
+#include "processors.h"
+#include "terminal.h"
+
+#include <inttypes.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/* --------------------------------------------------------------------------------------------------------------------- terminal */
+
+/* Bytes are bytes. */
+char **terminal_begin(int *count, char **words)
+{
+    (void)count;
+    return words;
+}
+
+void terminal_end(void) {}
+
+bool terminal_is(FILE *stream) { return isatty(fileno(stream)); }
+
+/* ------------------------------------------------------------------------------------------------------------------- processors */
+
+unsigned processors_here(void)
+{
+    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count < 1 ? 1 : count < THREADS_MAX ? (unsigned)count : THREADS_MAX;
+}
+
+void processors_name(char *name, size_t size)
+{
+    FILE *file = fopen("/proc/cpuinfo", "r");
+    char line[256];
+    snprintf(name, size, "unknown");
+    while (file && fgets(line, sizeof line, file)) {
+        const char *colon = strchr(line, ':');
+        if (strncmp(line, "model name", 10) || !colon)
+            continue;
+        colon += strspn(colon, ": \t");
+        snprintf(name, size, "%.*s", (int)strcspn(colon, "\n"), colon);
+        break;
+    }
+    if (file)
+        fclose(file);
+}
+
+/* ----------------------------------------------------------------------------------------------------------------------- memory */
+
+static uint64_t least(uint64_t a, uint64_t b) { return a < b ? a : b; }
+
+static uint64_t left(uint64_t limit, uint64_t used) { return used < limit ? limit - used : 0; }
+
+/* The number after `key` at the start of a line; with an empty key the first number. False where the file has none. */
+static bool read_number(const char *path, const char *key, uint64_t *number)
+{
+    char line[256];
+    bool is_found = false;
+    FILE *file = fopen(path, "r");
+    while (file && !is_found && fgets(line, sizeof line, file))
+        is_found = !strncmp(line, key, strlen(key)) && sscanf(line + strlen(key), "%" SCNu64, number) == 1;
+    if (file)
+        fclose(file);
+    return is_found;
+}
+
+static uint64_t left_by_system(void)
+{
+    uint64_t kib;
+    return read_number("/proc/meminfo", "MemAvailable:", &kib) ? 1024 * kib : UINT64_MAX;
+}
+
+/* The topmost control group (version 2) that a container sees. Cached pages of files count as used, but are given up on demand. */
+static uint64_t left_by_group(void)
+{
+    uint64_t limit, used, cached = 0;
+    if (!read_number("/sys/fs/cgroup/memory.max", "", &limit) || !read_number("/sys/fs/cgroup/memory.current", "", &used))
+        return UINT64_MAX;
+    read_number("/sys/fs/cgroup/memory.stat", "inactive_file", &cached);
+    return left(limit, left(used, cached));
+}
+
+static uint64_t left_by_process(void)
+{
+    struct rlimit limit;
+    uint64_t pages;
+    if (getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == RLIM_INFINITY || !read_number("/proc/self/statm", "", &pages))
+        return UINT64_MAX;
+    return left(limit.rlim_cur, pages * (uint64_t)sysconf(_SC_PAGESIZE));
+}
+
+/* The least of what Linux calls available and what the limits of the control group and of the process leave. */
+uint64_t memory_available(void) { return least(left_by_system(), least(left_by_group(), left_by_process())); }
+
+/* ------------------------------------------------------------------------------------------------------------------------ pages */
+
+/*
+ * Rooms are mapped on the border of a large page, and the system is asked for such, but for small rooms: to take a large page costs
+ * as much as 32 small ones do, and many threads that take small ones wait for each other.
+ */
+enum { LARGE_PAGE = 1 << 21, SMALL_PAGE = 1 << 12, SMALL_ROOM = 32 * SMALL_PAGE };
+
+static size_t whole_pages(size_t bytes)
+{
+    const size_t page = bytes < SMALL_ROOM ? SMALL_PAGE : LARGE_PAGE;
+    return bytes ? (bytes + page - 1) / page * page : page;
+}
+
+static void *map(size_t bytes)
+{
+    void *const room = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    return room == MAP_FAILED ? NULL : room;
+}
+
+/*
+ * The system maps where it likes: what stands before the border and after the end is given back, or not asked for where it is
+ * scarce.
+ */
+static void *map_on_border(size_t bytes)
+{
+    unsigned char *const start = map(bytes + LARGE_PAGE);
+    if (!start)
+        return map(bytes);
+    const size_t before = (LARGE_PAGE - (uintptr_t)start % LARGE_PAGE) % LARGE_PAGE;
+    if (before)
+        munmap(start, before);
+    munmap(start + before + bytes, LARGE_PAGE - before);
+#ifdef MADV_HUGEPAGE
+    madvise(start + before, bytes, MADV_HUGEPAGE); /* a wish: without them it is slower and no other */
+#endif
+    return start + before;
+}
+
+void *pages_take(size_t bytes)
+{
+    if (bytes > SIZE_MAX / 2)
+        return NULL;
+    const size_t whole = whole_pages(bytes);
+    return bytes < SMALL_ROOM ? map(whole) : map_on_border(whole);
+}
+
+void pages_free(void *room, size_t bytes)
+{
+    if (room)
+        munmap(room, whole_pages(bytes));
+}
