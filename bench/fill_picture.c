@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "picture/picture_png.h"
+#include "picture/preview.h"
 
 enum { FILL_TRIANGLES = 20000 };
 

@@ -15,7 +15,6 @@
 #include "console/processors.h"
 #include "files/named_file.h"
 #include "paper/paper.h"
-#include "picture/picture_png.h"
 #include "picture/preview.h"
 #include "read/mesh_look.h"
 #include "timing/timing.h"

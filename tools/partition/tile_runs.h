@@ -8,7 +8,7 @@
 #include "files/file_map.h"
 #include "partition.h"
 #include "piece.h"
-#include "write/folder_out.h"
+#include "write/file_out.h"
 
 /* Triangles as they are in a partition: by rising tile, those of a tile in the order of the mesh. */
 typedef struct tile_run {

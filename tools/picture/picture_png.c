@@ -1,5 +1,5 @@
 /* picture_png.c - hands rows to libpng. */
-#include "picture_png.h"
+#include "preview.h"
 
 #include <png.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* picture_png_none.c - stands in for picture_png.c where there is no libpng. */
-#include "picture_png.h"
+#include "preview.h"
 
 const bool picture_png_is_there = false;
 

@@ -7,7 +7,6 @@
 #include "console/interrupt.h"
 #include "console/message.h"
 #include "console/numbers.h"
-#include "picture_png.h"
 
 int preview_check(const char *path, const char *option)
 {

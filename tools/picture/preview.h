@@ -23,6 +23,12 @@ typedef struct picture_look {
  */
 int preview_check(const char *path, const char *option);
 
+/* Whether the program was built with libpng. */
+extern const bool picture_png_is_there;
+
+/* Writes rows of red, green, blue bytes, by libpng. False where it lacks memory; the stream itself knows of its own failure. */
+bool picture_png_write(FILE *to, const unsigned char *pixels, unsigned width, unsigned height);
+
 enum { PREVIEW_SIDE_MAX = 4096 }; /* pixels */
 
 /* Read the values of --up and --picture-size. Return an exit_code, but the word its text. */

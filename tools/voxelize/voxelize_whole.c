@@ -18,7 +18,7 @@
 #include "tribox_threads.h"
 #include "voxelize_work.h"
 #include "write/brick_cutter.h"
-#include "write/brick_writer.h"
+#include "write/brick_out.h"
 #include "write/voxels.h"
 
 /* ---------------------------------------------------------------------------------------------------------------------- colours */

@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "brick_out.h"
 
-#include "brick_writer.h"
 #include "brick_cutter.h"
 #include "console/message.h"
 #include "dense_out.h"

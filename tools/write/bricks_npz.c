@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "colours/cell_colours.h"
 #include "console/message.h"
 #include "npz.h"

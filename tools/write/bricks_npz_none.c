@@ -1,5 +1,5 @@
 /* bricks_npz_none.c - stands in for bricks_npz.c where the program is built without zlib. */
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "console/message.h"
 #include "part.h"
 

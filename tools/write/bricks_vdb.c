@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "colours/cell_colours.h"
 #include "console/interrupt.h"
 #include "console/message.h"

@@ -1,5 +1,5 @@
 /* bricks_vdb_none.c - stands in for bricks_vdb.c where the program is built without OpenVDB. */
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "console/message.h"
 
 const brick_writer bricks_vdb = {.open = NULL};

@@ -1,4 +1,4 @@
-/* file_out.c - writes beside the name and renames, so that nobody finds half a file. */
+/* file_out.c - writes beside the name and renames, so that nobody finds half a file, or half of a folder. */
 #include "file_out.h"
 
 #include <errno.h>
@@ -63,22 +63,22 @@ static int find_target(file_out *out)
                            about.kind == FILE_KIND_FOLDER ? "is a directory" : "is not a regular file");
 }
 
-/* A name of its own in the target's folder: one made from the target's name could be too long. */
-static char *name_beside(const char *target)
+char *file_out_beside(const char *path, bool is_folder)
 {
     static const char name[] = ".tribox-XXXXXX";
-    const size_t folder = named_file_folder(target);
-    char *const beside = malloc(folder + sizeof name);
+    char *const beside = malloc(strlen(path) + sizeof name);
     if (beside) {
-        memcpy(beside, target, folder);
-        memcpy(beside + folder, name, sizeof name);
+        strcpy(beside, path);
+        for (size_t end = strlen(path); is_folder && end > 1 && named_file_folder(beside) == end; end--)
+            beside[end - 1] = '\0'; /* separators at the end */
+        strcpy(beside + named_file_folder(beside), name);
     }
     return beside;
 }
 
 static int make_beside(file_out *out)
 {
-    out->beside = name_beside(out->target);
+    out->beside = file_out_beside(out->target, false);
     if (!out->beside)
         return message_failure("%s: out of memory", out->path);
     interrupt_hold();
@@ -116,30 +116,39 @@ int file_out_open(file_out *out, const char *path)
     return code;
 }
 
+static int fail_to_write(const char *path, int reason)
+{
+    return message_failure("%s: cannot write all of it: %s; nothing of it was kept", path, strerror(reason ? reason : EIO));
+}
+
 static int fail(const file_out *out, int reason)
 {
-    const char *const why = strerror(reason ? reason : EIO);
-    if (file_out_is_stdout(out->path))
-        return message_failure("cannot write the output: %s", why);
-    return message_failure("%s: cannot write all of it: %s; nothing of it was kept", out->path, why);
+    return file_out_is_stdout(out->path) ? message_failure("cannot write the output: %s", strerror(reason ? reason : EIO))
+                                         : fail_to_write(out->path, reason);
 }
 
 int file_out_failure(const file_out *out) { return fail(out, errno); }
 
-/* Writes out all that is pending. On failure nothing is left. */
+/* Writes out all that is pending and closes what is not standard output. Returns whether all of it went well; else with errno. */
+static bool close_stream(FILE *stream)
+{
+    errno = ferror(stream) ? errno : 0; /* that of the write that failed */
+    const bool is_lost = ferror(stream) || fflush(stream);
+    const int reason = errno;
+    const bool is_closed = stream == stdout || !fclose(stream);
+    if (is_lost)
+        errno = reason;
+    return !is_lost && is_closed;
+}
+
+/* On failure nothing is left. */
 static int complete(file_out *out)
 {
     if (!out->stream)
         return EXIT_CODE_OK;
-    errno = ferror(out->stream) ? errno : 0; /* that of the write that failed */
-    bool is_lost = ferror(out->stream) || fflush(out->stream);
-    int reason = is_lost ? errno : 0;
-    if (out->stream != stdout && fclose(out->stream) && !is_lost) {
-        is_lost = true;
-        reason = errno;
-    }
+    const bool is_whole = close_stream(out->stream);
     out->stream = NULL;
-    const int code = is_lost ? fail(out, reason) : EXIT_CODE_OK;
+    const int code = is_whole ? EXIT_CODE_OK : fail(out, errno);
     if (code)
         file_out_drop(out);
     return code;
@@ -197,7 +206,7 @@ int file_out_keep_both(file_out *one, file_out *other)
     if (!code)
         code = complete(other);
     const bool is_over = one->beside && other->beside && named_file_is_there(one->target);
-    char *const aside = !code && is_over ? name_beside(one->target) : NULL;
+    char *const aside = !code && is_over ? file_out_beside(one->target, false) : NULL;
     if (!code && is_over && !aside)
         code = message_failure("%s: out of memory", one->path);
     if (!code)
@@ -215,4 +224,119 @@ void file_out_drop(file_out *out)
     if (out->beside)
         new_file_remove(out->beside);
     forget(out);
+}
+
+static char *within(const char *folder, const char *name)
+{
+    char *const path = malloc(strlen(folder) + strlen(name) + 2);
+    if (path) {
+        strcpy(path, folder);
+        strcat(path, "/");
+        strcat(path, name);
+    }
+    return path;
+}
+
+int folder_out_failure(const folder_out *out, int reason) { return fail_to_write(out->path, reason); }
+
+static int make_files(folder_out *out, const char *const names[FOLDER_FILES])
+{
+    for (int i = 0; i < FOLDER_FILES && names[i]; i++) {
+        out->name[i] = within(out->beside, names[i]);
+        if (!out->name[i])
+            return message_failure("%s: out of memory", out->path);
+        interrupt_hold();
+        interrupt_watch(out->name[i]);
+        out->file[i] = named_file_open(out->name[i], "wb");
+        const int reason = errno;
+        interrupt_release();
+        if (!out->file[i])
+            return folder_out_failure(out, reason);
+    }
+    return EXIT_CODE_OK;
+}
+
+FILE *folder_out_spill(const folder_out *out)
+{
+    char *const name = within(out->beside, "runs-XXXXXX");
+    if (!name) {
+        errno = ENOMEM;
+        return NULL;
+    }
+    interrupt_hold(); /* until it has no name */
+    FILE *const spill = new_file_open_nameless(name);
+    const int reason = errno;
+    interrupt_release();
+    free(name);
+    errno = reason;
+    return spill;
+}
+
+int folder_out_open(folder_out *out, const char *path, const char *const names[FOLDER_FILES])
+{
+    *out = (folder_out){.path = path};
+    if (named_file_is_there(path))
+        return message_failure("%s: is there already; remove it, or give another name", path);
+    out->beside = file_out_beside(path, true);
+    if (!out->beside)
+        return message_failure("%s: out of memory", path);
+    interrupt_hold();
+    const bool is_made = new_file_make_folder(out->beside);
+    const int reason = errno;
+    if (is_made)
+        interrupt_watch(out->beside);
+    interrupt_release();
+    if (!is_made) {
+        free(out->beside);
+        out->beside = NULL;
+        return message_failure("%s: cannot write there: %s", path, strerror(reason));
+    }
+    new_file_fail_quietly(false);
+    const int code = make_files(out, names);
+    if (code)
+        folder_out_drop(out);
+    return code;
+}
+
+static void forget_folder(folder_out *out)
+{
+    for (int i = 0; i < FOLDER_FILES && out->name[i]; i++) {
+        interrupt_forget(out->name[i]);
+        free(out->name[i]);
+    }
+    interrupt_forget(out->beside);
+    free(out->beside);
+    *out = (folder_out){.path = NULL};
+}
+
+int folder_out_keep(folder_out *out)
+{
+    int reason = 0;
+    for (int i = 0; i < FOLDER_FILES && out->file[i]; i++) {
+        if (!close_stream(out->file[i]) && !reason)
+            reason = errno ? errno : EIO;
+        out->file[i] = NULL;
+    }
+    if (!reason && !new_file_rename_folder(out->beside, out->path))
+        reason = errno;
+    const int code = reason ? folder_out_failure(out, reason) : EXIT_CODE_OK;
+    if (code)
+        folder_out_drop(out);
+    else
+        forget_folder(out);
+    return code;
+}
+
+void folder_out_drop(folder_out *out)
+{
+    if (!out->beside)
+        return;
+    for (int i = 0; i < FOLDER_FILES; i++) {
+        if (out->file[i])
+            fclose(out->file[i]);
+        if (out->name[i])
+            new_file_remove(out->name[i]);
+    }
+    new_file_remove_folder(out->beside);
+    forget_folder(out);
 }

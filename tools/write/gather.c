@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "brick_cutter.h"
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "console/memory.h"
 #include "console/message.h"
 #include "lowest_bit.h"

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "console/message.h"
 #include "lowest_bit.h"
 #include "read/little.h"

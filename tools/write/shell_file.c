@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "console/message.h"
 #include "shell_file.h"
 

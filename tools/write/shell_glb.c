@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "console/decimal.h"
 #include "console/message.h"
 #include "read/little.h"

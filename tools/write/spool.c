@@ -10,7 +10,6 @@
 #include "console/memory.h"
 #include "console/message.h"
 #include "console/pages.h"
-#include "files/named_file.h"
 #include "files/new_file.h"
 
 enum { KEPT = 1 << 22, CHUNK = 1 << 16 };
@@ -18,17 +17,15 @@ enum { KEPT = 1 << 22, CHUNK = 1 << 16 };
 /* A name in the folder of the output, or in a place for such files. To be freed; NULL without memory. */
 static char *name_within(const file_out *out)
 {
-    static const char within[] = "/.tribox-XXXXXX";
-    char *const folder = out->target ? NULL : new_file_passing_folder();
-    const char *const from = out->target ? out->target : folder;
-    const size_t length = !from ? 0 : folder ? strlen(folder) : named_file_folder(from);
-    char *const name = from ? malloc(length + sizeof within) : NULL;
-    if (name) {
-        memcpy(name, from, length);
-        strcpy(name + length, folder ? within : within + 1);
-    }
+    if (out->target)
+        return file_out_beside(out->target, false);
+    char *const folder = new_file_passing_folder(), *const name = folder ? malloc(strlen(folder) + sizeof "/x") : NULL;
+    if (name)
+        strcat(strcpy(name, folder), "/x");
     free(folder);
-    return name;
+    char *const beside = name ? file_out_beside(name, false) : NULL;
+    free(name);
+    return beside;
 }
 
 FILE *spool_open(const file_out *out)

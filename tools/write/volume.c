@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "brick_writer.h"
+#include "brick_out.h"
 #include "console/decimal.h"
 #include "console/message.h"
 
