@@ -1,4 +1,4 @@
-/* tile_sort.c - threads take blocks of triangles, look at them, ask the library which tiles they are in, and gather them by tile. */
+/* tile_sort.c - threads take blocks of triangles, look at them, ask the library for their tiles, and gather them by tile. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <math.h>

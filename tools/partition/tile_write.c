@@ -1,4 +1,4 @@
-/* tile_write.c - threads take a few tiles at a time, copy what each run has of them, and write that to its place; then the index. */
+/* tile_write.c - threads take a few tiles at a time, copy what each run has of them to its place in a file; then the index. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <inttypes.h>

@@ -1,4 +1,4 @@
-/* brick_out.h - a file of any format from bricks of 8 x 8 x 8 cells, handed over one at a time, and what a format does with them. */
+/* brick_out.h - a file of any format from bricks of 8 x 8 x 8 cells, handed over one at a time; and what a format does. */
 #ifndef BRICK_OUT_H
 #define BRICK_OUT_H
 
