@@ -75,11 +75,13 @@ def lowest(triangles, grid):
     whole = integers(np.where(finite[:, None, None], t, 0), *bounds)
     for n in np.flatnonzero(finite)[::-1]:
         low, high = t[n].min(0), t[n].max(0)
-        near = [range(max(np.searchsorted(b, low[a]) - 1, 0), min(np.searchsorted(b, high[a], "right"), len(b) - 1))
+        near = [np.arange(max(np.searchsorted(b, low[a]) - 1, 0), min(np.searchsorted(b, high[a], "right"), len(b) - 1))
                 for a, b in enumerate(bounds)]
         k, j, i = (index.ravel() for index in np.meshgrid(*near[::-1], indexing="ij"))
+        if not len(i):
+            continue
         lo, hi = (np.stack([b[index + s] for b, index in zip(whole[1:], (i, j, k))], -1) for s in (0, 1))
-        hit = touching(np.broadcast_to(whole[0][n], (len(i), 3, 3)), lo, hi) if len(i) else np.zeros(0, bool)
+        hit = touching(np.broadcast_to(whole[0][n], (len(i), 3, 3)), lo, hi)
         cells[k[hit], j[hit], i[hit]] = n
     return cells
 

@@ -1,0 +1,357 @@
+"""Parts and partitions: what is damaged, does not fit or is no part is named, and how meshes of any layout and size are sorted."""
+
+import io
+import itertools
+import json
+import os
+import re
+import resource
+import shutil
+import struct
+import subprocess
+import zipfile
+
+import harness
+import numpy as np
+import readers
+import triangles as meshes
+from harness import SEED, read
+from test_cells import Voxels, grid_of
+from triangles import INF, NAN
+
+SIZE = (390, 270, 140)  # 4 x 3 x 2 tiles, the last of each axis cut
+GRID = grid_of("0.0101,0.0145,0.029", "-2,-2,-2", "390,270,140")
+TRIANGLES = np.array(meshes.lattice_triangles(12, seed=6))
+DAMAGED = "not a part, or only the beginning of one, or damaged"
+
+
+class Parts(Voxels):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.mesh_of(TRIANGLES)
+
+    def part(self, shard, *options, mesh=None, name="p", grid=GRID):
+        path = self.path(name + shard.partition("/")[0] + ".npz")
+        self.succeed("voxelize", mesh or self.mesh, *grid, "--shard", shard, "-q", "-o", path, *options)
+        return path
+
+    def refuse_parts(self, pattern, *parts):
+        self.fail_with(1, pattern, "merge", *parts, "-o", self.path("refused.npz"))
+
+    def merged(self, *parts):
+        return self.out("merge", *parts)
+
+    def test_parts_that_do_not_fit(self):
+        parts = [self.part("%d/3" % n) for n in (1, 2, 3)]
+        for gone in (1, 2, 3):
+            self.refuse_parts("shard %d of 3 is missing" % gone, *parts[:gone - 1], *parts[gone:])
+        self.refuse_parts("shards 1,3-4,6-9 of 9 are missing; run them, or give their parts too", *(self.part("%d/9" % n, name="n") for n in (2, 5)))
+        self.refuse_parts("p2.npz and .*p2.npz are both shard 2 of 3; give each once", *parts, parts[1])
+        other = self.mesh_of(meshes.lattice_triangles(12, seed=7), "other")
+        for what, shard, options, how in (
+                ("number of shards", "3/4", (), {}), ("grid", "3/3", (), {"grid": ("--cell", "0.3")}), ("accuracy", "3/3", ("--accuracy", "fast"), {}),
+                ("choice of axes", "3/3", ("--axes", "box"), {}), ("mesh", "3/3", (), {"mesh": other}), ("ids: some have none", "3/3", ("--ids",), {}),
+                ("shift", "3/3", ("--shift", "1,2,3"), {})):
+            self.refuse_parts("they differ in the (%s|grid)" % what if what == "shift" else "they differ in the " + what, *parts[:2],
+                              self.part(shard, *options, name="q", **how))
+        numbered = self.part("1/1", "--ids")
+        self.fail_with(1, "p1.npz: has ids, and .glb holds none: write .npz", "merge", numbered, "-o", self.path("x.glb"))
+        self.fail_with(1, "has ids, a grid of whole numbers: leave out --vdb-grid", "merge", numbered, "--vdb-grid", "mask", "-o", self.path("x.vdb"))
+
+    def test_order(self):
+        """Shards of one mesh in two orders have other ids: of its triangles, of those that are not finite, and of partitions."""
+        nan, t = [[(NAN, 0, 0)] * 3], TRIANGLES
+        orders = [t, t[::-1], t[[1, 0, *range(2, 12)]], np.concatenate([nan, t]), np.concatenate([t[:9], nan, t[9:]])]
+        files = [[self.mesh_of(order, "order%d" % n), *GRID] for n, order in enumerate(orders)]
+        tiles = [self.path("a.tiles"), self.path("b.tiles")]
+        for folder, some in zip(tiles, (t[:9], t[9:])):
+            self.succeed("partition", self.mesh_of(some), *GRID, "--ids", "-q", "-o", folder)
+        for one, other in (files[0], files[1]), (files[0], files[2]), (files[3], files[4]), (tiles, tiles[::-1]):
+            for ids, second, is_sound in (("--ids",), one, True), ((), other, True), (("--ids",), other, False):
+                parts = [self.path("%d.npz" % shard) for shard in (1, 2)]
+                for shard, source in (1, one), (2, second):
+                    harness.run("voxelize", *source, *ids, "-q", "--shard", "%d/2" % shard, "-o", parts[shard - 1])
+                if is_sound:
+                    self.merged(*parts)
+                else:
+                    self.refuse_parts("differ in the order of the triangles, whose numbers the ids are: run the shards with one", *parts)
+
+    def rewritten(self, path, kind=zipfile.ZIP_STORED, **arrays):
+        """A part with other arrays under checksums that fit, as NumPy would write it."""
+        stored = {**readers.arrays(path), **arrays}
+        with zipfile.ZipFile(self.path("rewritten.npz"), "w", kind) as to:
+            for name, array in stored.items():
+                with to.open(name + ".npy", "w", force_zip64=True) as member:  # as numpy.savez
+                    np.lib.format.write_array(member, np.asanyarray(array), (1, 0))
+        return self.path("rewritten.npz")
+
+    def test_not_a_part(self):
+        first, second = self.part("1/2"), self.part("2/2")
+        self.refuse_parts("missing.npz: cannot open the part: No such file", first, self.path("missing.npz"))
+        self.refuse_parts("not a regular file", self.folder)
+        data = read(second)
+        for name, content in (("mesh.ply", b"ply\n"), ("none.npz", b""), ("old.part", b"tribox part 6\n".ljust(200)), ("start.npz", data[:10]),
+                              ("cut.npz", data[:-1]), ("half.npz", data[:len(data) // 2]), ("long.npz", data + b"\0"),
+                              ("later.npz", data[:500] + data[501:])):
+            self.refuse_parts(name + ": " + DAMAGED, first, self.write(name, content))
+        numbered = read(self.part("1/1", "--ids"))
+        for name, why in ((b"ids", "it has members that parts do not have"), (b"size", "or no part: it lacks size.npy")):
+            self.refuse_parts("renamed.npz: damaged.*" + why, self.write("renamed.npz", numbered.replace(name + b".npy", name + b".npx")))
+        for options in ((), ("--deflate",)):  # a member of more bytes than the file has, or than deflated ones can stand for
+            large = bytearray(read(self.part("1/1", *options)))
+            struct.pack_into("<I", large, large.index(b"PK\1\2") + 24, 2 ** 31)
+            self.refuse_parts("large.npz: " + DAMAGED, self.write("large.npz", bytes(large)))
+        whole, _ = self.voxelize(self.mesh, *GRID)
+        self.refuse_parts("cells.npz: is no part of a whole; give the files that tribox voxelize --shard", first, whole)
+
+    def long(self, data):
+        """The file with a list in which nothing fits 32 bits, as one of more than 4 GB has it."""
+        start = at = data.index(b"PK\1\2")
+        none, entries = 2 ** 32 - 1, []
+        while data[at:at + 4] == b"PK\1\2":
+            stored, size, name = struct.unpack_from("<2IH", data, at + 20)
+            place, = struct.unpack_from("<I", data, at + 42)
+            entries.append(data[at:at + 20] + struct.pack("<2I2H", none, none, name, 28) + data[at + 32:at + 42] + struct.pack("<I", none)
+                           + data[at + 46:at + 46 + name] + struct.pack("<2H3Q", 1, 24, size, stored, place))
+            at += 46 + name
+        listed, count = b"".join(entries), len(entries)
+        return (data[:start] + listed + struct.pack("<IQ2H2I4Q", 0x06064b50, 44, 45, 45, 0, 0, count, count, len(listed), start)
+                + struct.pack("<2IQI", 0x07064b50, 0, start + len(listed), 1) + struct.pack("<I4H2IH", 0x06054b50, 0, 0, count, count, len(listed), none, 0))
+
+    def test_other_forms(self):
+        """Written anew, deflated, read in several pieces, and with a list of 64 bits they are the same parts."""
+        first, second = self.part("1/2"), self.part("2/2")
+        whole = self.merged(first, second)
+        self.assertEqual(self.merged(first, self.rewritten(second)), whole)
+        self.assertEqual(self.merged(first, self.rewritten(second, zipfile.ZIP_DEFLATED)), whole)
+        path = self.write("long.npz", self.long(read(second)))
+        with zipfile.ZipFile(path) as file:
+            self.assertIsNone(file.testzip())
+        self.assertEqual(self.merged(first, path), whole)
+        path, fine = self.part("1/1", "--deflate", grid=("--resolution", "1200")), self.out("voxelize", self.mesh, "--resolution", "1200")
+        with zipfile.ZipFile(path) as file:
+            self.assertGreater(file.getinfo("bits.npy").compress_size, 3 << 16)
+        self.assertEqual(self.merged(path), fine)
+        self.write("deflated.npz", self.out("voxelize", self.mesh, "--resolution", "1200", "--deflate"))
+        stored, deflated = (np.load(file) for file in (io.BytesIO(fine), self.path("deflated.npz")))
+        self.assertTrue(all(np.array_equal(stored[name], deflated[name]) for name in stored.files))
+
+    def test_flipped_bits(self):
+        """No change of a bit gives another answer, and none but of dates and the like goes unnoticed."""
+        for options in ((), ("--ids", "--deflate")):
+            data, whole = read(self.part("1/1", *options)), self.out("voxelize", self.mesh, *GRID, *options[:1])
+            end, refused = data.index(b"PK\1\2"), 0
+            places = [*range(0, 200, 5), *range(200, end, end // 60), *range(end - 700, len(data), 11)]
+            for at in places:
+                flipped = bytearray(data)
+                flipped[at] ^= 1 << at % 8
+                result = harness.run("merge", self.write("flipped.npz", bytes(flipped)), "-q", "-o", self.path("x.npz"))
+                if result.code:
+                    self.assertRegex(result.stderr, "^tribox merge: .*flipped.npz: (damaged|not a part|is no part)")
+                    refused += 1
+                else:
+                    self.assertEqual(read(self.path("x.npz")), whole, at)
+            self.assertGreater(refused, len(places) * 3 // 5)
+
+    def test_arrays(self):
+        """Of 390 cells along x two of the eight of a last brick are not used; of 270 along y, 140 along z as many."""
+        path, first, second = self.part("1/1", "--ids"), self.part("1/2", name="s"), self.part("2/2", name="s")
+        stored, senseless = readers.arrays(path), "what it says of the whole makes no sense"
+        at, bits, ids = stored["at"], stored["bits"], stored["ids"]
+        rows = [("its arrays do not fit its bricks", {"at": at[:-1]}), ("its arrays do not fit its bricks", {"bits": bits[:, :7]}),
+                ("its ids are not those of its cells", {"ids": ids[:-1]}), ("its ids are not those of its cells", {"ids": np.append(ids, ids[:1])}),
+                ("its size.npy is not what was written", {"size": stored["size"][:2]}), (senseless, {"shard": np.array([0, 1], "<u4")}),
+                (senseless, {"shard": np.array([2, 1], "<u4")}), (senseless, {"tiles": np.array([1, 0], "<u8")}),
+                (senseless, {"shift": np.array([0, NAN, 0])}), (senseless, {"cell": np.array([0, 1., 1])}),
+                (senseless, {"whole": np.append(stored["whole"][:6], np.zeros(1, stored["whole"].dtype))})]
+        for why, n, place, words in (
+                ("cells outside the grid", 0, (48, 0, 0), [0x40] + [0] * 7), ("cells outside the grid", 0, (0, 33, 0), [1 << 48] + [0] * 7),
+                ("cells outside the grid", 0, (0, 0, 17), [0] * 4 + [1] * 4), ("bricks outside its tiles", 0, (49, 0, 0), [1] * 8),
+                ("bricks are out of order", -1, (0, 0, 0), [1] * 8), ("bricks are out of order", -2, tuple(at[-1]), [1] * 8)):
+            places, others = at.copy(), bits.copy()
+            places[n], others[n] = place, words
+            rows.append(("(it has|its) %s; run shard 1 of 1 again" % why, {"at": places, "bits": others}))
+        plain = self.part("1/1", name="plain")
+        for why, arrays in rows:
+            self.refuse_parts("rewritten.npz: damaged: " + why, self.rewritten(plain if "bits" in arrays and "at" in arrays else path, **arrays))
+        stored = readers.arrays(second)
+        strange, (start, end) = stored["at"].copy(), stored["tiles"]
+        strange[0] = 0
+        for why, arrays in (("damaged: it has bricks outside its tiles; run shard 2 of 2", {"at": strange}),
+                            ("begins with tile .* in place of .*: it was cut otherwise than the others; run shard 2 of 2",
+                             {"tiles": np.array([start + 1, end], "<u8")}), ("ends before the last tile", {"tiles": np.array([start, end - 1], "<u8")})):
+            self.refuse_parts("rewritten.npz.*" + why, first, self.rewritten(second, **arrays))
+
+    def test_summary(self):
+        parts = [self.part("%d/2" % n) for n in (1, 2)]
+        self.assertRegex(self.succeed("merge", *parts, "-o", self.path("m.npy")),
+                         r"(?m)^parts        2\ngrid         390 x 270 x 140 cells of .*\noccupied     \d+ cells\nbricks       \d+\nwritten  ")
+
+    def test_launchers(self):
+        """GNU parallel, and mpirun as documented: a shell per process, which counts from 0."""
+        whole = self.out("voxelize", self.mesh, *GRID)
+        root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
+        script = 'i=$((OMPI_COMM_WORLD_RANK + 1)); exec "$0" voxelize "$@" --shard "$i/$OMPI_COMM_WORLD_SIZE" -o "%s.$i.npz"' % self.path("mpirun")
+        words = (self.mesh, *GRID, "-q")
+        for count, *command in ((7, "parallel", "--will-cite", "-j", "2", harness.program(), "voxelize", *words, "--shard", "{}/7", "-o",
+                                 self.path("parallel.{}.npz"), ":::", *map(str, range(1, 8))),
+                                (3, "mpirun", *root, "--oversubscribe", "-n", "3", "sh", "-c", script, harness.program(), *words, "-t", "1")):
+            if shutil.which(command[0]):
+                subprocess.run(command, check=True, timeout=100, stdin=subprocess.DEVNULL, capture_output=True)
+                self.assertEqual(self.merged(*(self.path("%s.%d.npz" % (command[0], n)) for n in range(1, count + 1))), whole)
+
+
+class Partitions(Voxels):
+    def setUp(self):
+        super().setUp()
+        pick = np.random.default_rng(SEED)
+        reach = pick.choice([0.05, 0.05, 0.05, 0.3, 3], (2000, 1, 1))
+        t = np.round(64 * (pick.uniform(-2.5, 2.5, (2000, 1, 3)) + reach * pick.uniform(-1, 1, (2000, 3, 3)))) / 64
+        t[::150, 1, 2], t[75::300, 1, 2] = NAN, INF
+        self.triangles, self.mesh, self.number = t, self.mesh_of(t), 0
+
+    def partition(self, *words, names=("index", "triangles")):
+        """The bytes of both files, the summary and the folder."""
+        self.number += 1
+        folder = self.path("tiles%d" % self.number)
+        result = harness.run("partition", *words, "--json", "-o", folder)
+        self.assertEqual(result.code, 0, result.stderr)
+        self.assertEqual(sorted(os.listdir(folder)), sorted(names))
+        return [read(os.path.join(folder, name)) for name in names], json.loads(result.stdout), folder
+
+    def refuse_partition(self, code, pattern, *words, **how):
+        there, result = self.there(), harness.run(*words, **how)
+        self.assertEqual((result.code, self.there()), (code, there), result.stderr)
+        self.assertRegex(result.stderr, r"\A(tribox [a-z]+: warning[^\n]*\n)?tribox [a-z]+: [^\n]*(" + pattern + r")[^\n]*\n\Z")
+
+    def test_tiles(self):
+        """Each has its triangles in the order of the mesh, those with a corner in its box among them, and records add up."""
+        (index, triangles), found, _ = self.partition(self.mesh, *GRID, "-m", "9000")
+        t, cell = self.triangles, np.array([0.0101, 0.0145, 0.029])
+        self.assertEqual(found["not_finite"], (~np.isfinite(t)).any((1, 2)).sum())
+        self.assertEqual((found["grid"]["size"], found["tile"], found["tiles"]), (list(SIZE), 128, 24))
+        of = {meshes.pack_floats(one): n for n, one in enumerate(t)}
+        records = [struct.unpack_from("<4Q", index, at) for at in range(176, len(index), 32)]
+        places = [record[1] for record in records] + [len(triangles) // 36]
+        self.assertEqual(places[-1], found["sorted"])
+        for (tile, first, _, _), end in zip(records, places[1:]):
+            numbers = [of[triangles[36 * p:36 * p + 36]] for p in range(first, end)]
+            self.assertEqual(numbers, sorted(set(numbers)), tile)
+            at = np.array([tile % 4, tile // 4 % 3, tile // 12])
+            low, high = -2 + 128 * at * cell, -2 + np.minimum(128 * at + 128, SIZE) * cell
+            with_corner = ((low + 1e-6 < t) & (t < high - 1e-6)).all(2).any(1) & np.isfinite(t).all((1, 2))
+            self.assertLessEqual(set(np.flatnonzero(with_corner).tolist()), set(numbers))
+
+    def test_memory_and_threads(self):
+        whole, found, _ = self.partition(self.mesh, *GRID)
+        self.assertEqual(found["spilled_bytes"], 0)
+        for memory, threads in itertools.product(("1", "3000", "40K", "600K", "1G"), "17"):
+            files, found, _ = self.partition(self.mesh, *GRID, "-m", memory, "-t", threads)
+            self.assertEqual((files, found["spilled_bytes"] > 0), (whole, memory not in ("600K", "1G")), (memory, threads))
+        mesh = self.mesh_of([[[n / 1024, 0, 0], [0, 1 / 8, 0], [0, 0, 1 / 8]] for n in range(1001)])  # all of them in one tile
+        whole, _, _ = self.partition(mesh, "-r", "64")
+        for threads in "12":
+            self.assertEqual(self.partition(mesh, "-r", "64", "-m", "1000", "-t", threads)[0], whole)
+
+    def test_several_meshes(self):
+        """Of any formats, in one grid around all; of floats and doubles; with a shift."""
+        writers = {"f32": meshes.pack_floats, "stl": meshes.stl_binary, "off": meshes.off, "f64": meshes.pack_doubles}
+        finite = self.triangles[np.isfinite(self.triangles).all((1, 2))]
+        for t, options, endings in ((self.triangles, ("-r", "400"), ("f32", "stl", "f32", "stl")), (finite, ("-r", "400"), ("stl", "off", "f32")),
+                                    (self.triangles, GRID, ("stl", "f64", "f32")), (finite + [5000, 70, -12], ("-r", "300", "--shift", "auto"), ("f64",) * 3),
+                                    (finite + [5000, 70, -12], ("-r", "300", "--shift", "0.1,0.2,0.3"), ("f64", "f32"))):
+            (whole, found, folder), paths = self.partition(self.write("all.f64", meshes.pack_doubles(t)), *options), []
+            for n, (ending, some) in enumerate(zip(endings, np.array_split(t, len(endings)))):
+                paths.append(self.write("piece%d.%s" % (n, ending), writers[ending](some)))
+            for memory, threads in (("1G", "2"), ("20K", "3")):
+                files, told, _ = self.partition(*paths, *options, "-m", memory, "-t", threads)
+                if "f64" in endings or t is finite or t is self.triangles:
+                    self.assertEqual(told["triangles"], len(t))
+                if ("f64" in endings) == (found["positions"] == "float64") or "auto" in options:
+                    self.assertEqual(files, whole, endings)
+
+    def test_layouts_of_ply(self):
+        """Faces that refer to vertices anywhere; one element more, of nothing, has the file read as a whole."""
+        pick = np.random.default_rng(SEED)
+        names = {"f": "float", "d": "double", "B": "uchar", "H": "ushort", "i": "int", "I": "uint"}
+        some = [pick.integers(0, 250, n).tolist() for n in pick.choice([0, 1, 2, 3, 3, 3, 3, 3, 4, 5, 9], 4500)]
+        layouts = [(*how, some if how[1:] == ("f", "i", "B") else some[:400]) for how in itertools.product("<>", "fd", "BHiI", "Bi")]
+        layouts.append(("<", "f", "i", "i", [pick.integers(0, 250, n).tolist() for n in (3, 300, 3, 1000, 4, 90)]))
+        for order, number, index, count, faces in layouts:
+            vertices = np.round(64 * pick.uniform(-2, 2, (250, 3))) / 64 + (1 / 3 if number == "d" else 0)
+            elements = [("vertex", [*((axis, names[number]) for axis in "zxy"), ("red", "uchar")], [[*v, 77] for v in vertices.tolist()]),
+                        ("face", [("flags", "ushort"), ("vertex_indices", names[count], names[index]), ("area", "float")], [[5, f, 0.5] for f in faces])]
+            form = "binary_%s_endian" % {"<": "little", ">": "big"}[order]
+            mapped = self.write("mapped.ply", meshes.ply(elements, form))
+            whole = self.write("whole.ply", meshes.ply([*elements, ("nothing", [("nothing", "int")], [])], form))
+            for options in (GRID, ("-r", "300"), ("-r", "300", "--shift", "0.5,0.25,1"))[:3 if len(faces) == 4500 else 1]:
+                expected = self.partition(whole, *options)[0]
+                for memory, threads in (("1", "3"), ("30K", "2"), ("1G", "1")):
+                    self.assertEqual(self.partition(mapped, *options, "-m", memory, "-t", threads)[0], expected, (order, number, index, count))
+        good, one = read(mapped), [("vertex", meshes.XYZ, [[0, 0, 0]] * 250)]
+        for content, why in ((good[:-1], "truncated: the header promises 6"), (good[:300], "truncated"), (good[:80], "truncated"),
+                             *((meshes.ply([*one, ("face", meshes.CORNERS, faces)]), why) for faces, why in (
+                                 ([[[0, 1, 2]]] * 9 + [[[0, 250, 1]]], "face 9 refers to vertex 250"), ([[[0, 1, 2]], [[0, -1, 1]]], "face 1 refers to vertex -1"),
+                                 ([[[0, 1]]], "contains no triangles")))):
+            self.refuse_partition(1, "bad.ply: .*" + why, "partition", self.write("bad.ply", content), *GRID, "-o", self.path("x"))
+
+    def test_refused(self):
+        piece, other = self.mesh_of(self.triangles[:300], "a"), self.mesh_of(self.triangles[300:], "b")
+        here, named = self.partition(piece, *GRID)[2], self.partition(piece, *GRID, "--ids", names=("index", "numbers", "triangles"))[2]
+        x, never = self.path("x"), self.mesh_of(np.full((3, 3, 3), NAN), "never")
+        for differing, options in (("grid", grid_of("0.0101,0.0145,0.03", "-2,-2,-2", "390,270,140")), ("shift", (*GRID, "--shift", "1,2,3"))):
+            there = self.partition(other, *options)[2]
+            for command in (("partition", "-o", x), ("voxelize", "--shard", "1/2", "-o", x + ".npz")):
+                self.refuse_partition(1, "do not fit together: they differ in the " + differing, *command, here, there)
+        for code, why, *words in (
+                (2, "is a partition and .* is a mesh: give meshes alone or partitions alone", "partition", here, self.mesh, "-o", x, *GRID),
+                (2, "is no partition", "voxelize", here, self.mesh, "-o", x + ".npz"),
+                (2, "one mesh at a time", "voxelize", self.mesh, here, "-o", x + ".npz", *GRID),
+                (1, "none of its triangles has finite coordinates", "partition", never, *GRID, "-o", x),
+                (1, "none of their triangles has finite coordinates", "partition", never, never, "-r", "9", "-o", x),
+                (1, "none.f32: cannot open the mesh file", "partition", self.mesh, self.path("none.f32"), *GRID, "-o", x),
+                (1, "has no numbers of its triangles; make it with 'tribox partition --ids'", "voxelize", here, "--ids", "-o", x + ".npz"),
+                (1, "has the numbers of its triangles and .* has none; make both with --ids, or neither", "voxelize", here, named, "--ids", "-o", x + ".npz"),
+                (1, "has the numbers of its triangles and .* has none; make both with --ids, or neither", "partition", here, named, "-o", x),
+                (2, "which has ids or has none: leave out --ids", "partition", named, "--ids", "-o", x),
+                (1, os.path.basename(here) + ": is there already; remove it, or give another name", "partition", piece, "-r", "9", "-o", here),
+                (1, "none/x: cannot write there: No such file", "partition", piece, "-r", "9", "-o", self.path("none/x")),
+                (1, "is no partition|no partition: ", "voxelize", self.folder, "--count")):
+            self.refuse_partition(code, why, *words)
+        for memory, limit in itertools.product(("1G", "3000"), (500, 5000, 30000)):
+            self.refuse_partition(1, "x: cannot write all of it: File too large; nothing of it was kept", "partition", self.mesh, *GRID, "-m", memory, "-o", x,
+                                  limit=(resource.RLIMIT_FSIZE, limit))
+
+    def test_damaged(self):
+        """A changed byte is named, wherever it is."""
+        pieces = [self.mesh_of(some, "piece%d" % n) for n, some in enumerate(np.array_split(self.triangles, 3))]
+        apart = [self.partition(piece, *GRID, "--ids", names=("index", "numbers", "triangles"))[2] for piece in pieces]
+        x = self.path("x.npz")
+
+        def each(pattern, *commands):
+            for command in commands or (("voxelize", apart[1], "--count"), ("partition", *apart, "-o", x)):
+                self.refuse_partition(1, "(tiles2: )?(damaged: )?(%s)" % pattern, *command)
+        for name in ("index", "triangles", "numbers"):
+            path = os.path.join(apart[1], name)
+            whole, not_index = read(path), name != "index"
+            for at in [*range(0, 176, 7), *range(176, len(whole), len(whole) // 40)][25 * not_index:]:
+                flipped = bytearray(whole)
+                flipped[at] ^= 1 << at % 8
+                self.write(path, bytes(flipped))
+                each("the checksum of its triangles does not match" if not_index else
+                     "damaged: .*; make the partition again|not a partition folder|another byte order", ("voxelize", apart[1], *["--ids"] * not_index,
+                                                                                                *(("-o", x) if not_index else ("--count",))))
+            if not_index:
+                each("the checksum of its triangles does not match", ("partition", *apart, "-m", "1000", "-o", x), ("voxelize", *apart, "--ids", "-o", x))
+                self.write(path, whole[:-4])
+                each("its %s are not as many as its index says" % name)
+            else:
+                for cut in (0, 100, len(whole) - 1):
+                    self.write(path, whole[:cut])
+                    each("its index has")
+            self.write(path, whole)
+
+
+del Voxels  # whose own tests are of another script
+if __name__ == "__main__":
+    harness.main()
