@@ -1,4 +1,4 @@
-// test_files.mjs - meshes are dropped, of every kind, whole and damaged.
+// test_files.mjs - files are dropped: right ones, unusual ones of which no triangle is lost or moved, and damaged ones.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -7,17 +7,119 @@ import { answerAfter, answerOf, ask, assertSame, settled } from './answer.mjs';
 import { dropFile, usualPage } from './browser.mjs';
 import { everyKind, folder, glbBytes, plyBytes, raw, small, stlBytes, stlText, write } from './meshes.mjs';
 
-export async function everyKindOfFile() {
-    const page = await usualPage(),
-        file = raw('small.f32', small);
-    for (const { name, path } of everyKind(small)) {
-        const answer = await answerAfter(page, () => dropFile(page, name, readFileSync(path)));
-        assert.ok(answer.command.startsWith(`tribox overlap ${name} `), answer.command);
-        assert.ok(answer.straddling > 0);
-        const said = assertSame(answer, file);
-        if (!name.endsWith('.glb')) assert.equal(ask(answer.command.split(' ').slice(1), path).overlapping, said.overlapping);
+const moved = (triangles, by) => Float32Array.from(triangles, (x, i) => x + by[i % 3]);
+const together = (...parts) => Float32Array.from(parts.flatMap((part) => Array.from(part)));
+const contentOf = (name) => readFileSync(everyKind(small).find((file) => file.name === name).path, 'utf8');
+
+/** With a coordinate that is not finite. */
+function broken(triangles) {
+    const copy = triangles.slice();
+    copy[4] = NaN;
+    return copy;
+}
+
+/** Two nodes have one mesh. */
+function nodes(offsets) {
+    const content = glbBytes(small, (json) => {
+        json.nodes = offsets.map((translation) => ({ mesh: 0, translation }));
+        json.scenes[0].nodes = [0, 1];
+    });
+    return [content, together(...offsets.map((by) => moved(small, by)))];
+}
+
+/** Two primitives share positions; the second takes every triangle backwards. */
+function primitives() {
+    const vertices = small.length / 3,
+        indices = Uint32Array.from({ length: vertices }, (_, i) => vertices - 1 - i);
+    const bytes = new Uint8Array(small.byteLength + indices.byteLength);
+    bytes.set(new Uint8Array(small.buffer));
+    bytes.set(new Uint8Array(indices.buffer), small.byteLength);
+    const content = glbBytes(bytes, (json) => {
+        json.nodes[0].translation = [1, 0, 0];
+        json.bufferViews[0].byteLength = small.byteLength;
+        json.bufferViews.push({ buffer: 0, byteOffset: small.byteLength, byteLength: indices.byteLength });
+        json.accessors[0].count = vertices;
+        json.accessors.push({ bufferView: 1, componentType: 5125, count: vertices, type: 'SCALAR' });
+        json.meshes[0].primitives.push({ attributes: { POSITION: 0 }, indices: 1 });
+    });
+    const once = moved(small, [1, 0, 0]);
+    return [content, together(once, once)];
+}
+
+/** KHR_mesh_quantization: whole numbers, which the node scales. */
+function wholeNumbers() {
+    const whole = new Uint16Array((4 * small.length) / 3); // each vertex with a fourth, for it to be of 8 bytes
+    small.forEach((x, i) => (whole[4 * Math.floor(i / 3) + (i % 3)] = 8192 * (x + 4)));
+    const content = glbBytes(whole, (json) => {
+        json.extensionsUsed = json.extensionsRequired = ['KHR_mesh_quantization'];
+        Object.assign(json.nodes[0], { scale: [1 / 8192, 1 / 8192, 1 / 8192], translation: [-4, -4, -4] });
+        json.bufferViews[0].byteStride = 8;
+        const range = { min: [0, 0, 0], max: [65535, 65535, 65535] };
+        Object.assign(json.accessors[0], { componentType: 5123, count: small.length / 3, ...range });
+    });
+    return [content, Float32Array.from(small, (_, i) => whole[4 * Math.floor(i / 3) + (i % 3)] / 8192 - 4)];
+}
+
+/** A pentagon and a triangle, big-endian and with a colour: four triangles. */
+function pentagon() {
+    const header =
+        'ply\nformat binary_big_endian 1.0\nelement vertex 5\nproperty uchar red\nproperty float x\nproperty float y\n' +
+        'property float z\nelement face 2\nproperty list uchar ushort vertex_index\nend_header\n';
+    const points = [
+            [0, 0, 0],
+            [2, 0, 0],
+            [3, 1, 0],
+            [1, 2, 0],
+            [-1, 1, 0],
+        ],
+        faces = [[0, 1, 2, 3, 4], [0, 1, 3]];
+    const bytes = new Uint8Array(header.length + 5 * 13 + 11 + 7),
+        view = new DataView(bytes.buffer);
+    bytes.set(new TextEncoder().encode(header));
+    let at = header.length;
+    for (const point of points) {
+        point.forEach((number, a) => view.setFloat32(at + 1 + 4 * a, number));
+        at += 13;
     }
-    assert.ok(await page.isHidden('#message'));
+    for (const face of faces) {
+        view.setUint8(at, face.length);
+        face.forEach((v, k) => view.setUint16(at + 1 + 2 * k, v));
+        at += 1 + 2 * face.length;
+    }
+    const fans = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 3]].flatMap((fan) => fan.flatMap((v) => points[v]));
+    return [bytes, Float32Array.from(fans)];
+}
+
+const comment = `comment by ${'M\u00fcller '.repeat(100)}`;
+const far = small.map((x) => Math.fround(x + 557820)); // from the origin
+const NOT_FINITE = /420 triangles\. 1 have coordinates that are not finite/;
+
+/** Name, what is in the file, its triangles, and a note. */
+const right = [
+    ...everyKind(small).map(({ name, path }) => [name, readFileSync(path), small]),
+    ['far.stl', stlBytes(broken(far)), broken(far), NOT_FINITE],
+    ['nan.stl', stlText(broken(small)), broken(small), NOT_FINITE],
+    ['pentagon.ply', ...pentagon()],
+    ['nodes.glb', ...nodes([[1, 0, 0], [0, 2, 0]])],
+    ['primitives.glb', ...primitives()],
+    ['whole.glb', ...wholeNumbers()],
+    ['mueller.ply', contentOf('text.ply').replace('element', `${comment}\nelement`), small],
+    ['edge.obj', `${contentOf('mesh.obj')}l 1 4\nl 1 \\\n4\np 3\n`, small], // with loose edges and a point
+];
+
+export async function rightFiles() {
+    const page = await usualPage();
+    for (const [name, content, triangles, note] of right) {
+        const answer = await answerAfter(page, () => dropFile(page, name, content));
+        assert.ok(await page.isHidden('#message'), await page.textContent('#message'));
+        assert.ok(answer.command.startsWith(`tribox overlap ${name} `), answer.command);
+        assert.equal(answer.straddling + answer.inside + answer.missed, triangles.length / 9, name);
+        assert.ok(answer.straddling > 0 || name === 'far.stl' || name === 'pentagon.ply', name);
+        const said = assertSame(answer, raw('expected.f32', triangles));
+        if (triangles === small && !name.endsWith('.glb'))
+            assert.equal(ask(answer.command.split(' ').slice(1), write(name, content)).overlapping, said.overlapping);
+        if (note) assert.match(await page.textContent('#mesh-note'), note);
+    }
 }
 
 export async function isOpenedByButton() {
@@ -26,16 +128,6 @@ export async function isOpenedByButton() {
     const answer = await answerAfter(page, () => page.setInputFiles('#file', path));
     assert.ok(answer.command.startsWith(`tribox overlap ${name} `));
     assertSame(answer, path);
-}
-
-/** Far from the origin, with a triangle that is not finite. */
-export async function farMesh() {
-    const far = small.map((x) => Math.fround(x + 557820));
-    far[4] = NaN;
-    const page = await usualPage(),
-        answer = await answerAfter(page, () => dropFile(page, 'far.stl', stlBytes(far)));
-    assertSame(answer, raw('far.f32', far));
-    assert.match(await page.textContent('#mesh-note'), /far\.stl: 420 triangles\. 1 have coordinates that are not finite/);
 }
 
 /** What the program says of a file that it does not read. */
@@ -52,20 +144,8 @@ export async function damagedFiles() {
     const text = (...lines) => `${lines.join('\n')}\n`,
         stl = stlBytes(small),
         glb = glbBytes(small);
-    const ply = text(
-        'ply',
-        'format ascii 1.0',
-        'element vertex 3',
-        'property float x',
-        'property float y',
-        'property float z',
-        'element face 1',
-        'property list uchar int vertex_indices',
-        'end_header',
-        '0 0 0',
-        '1 0 0',
-        '0 1 0',
-    );
+    const head = ['ply', 'format ascii 1.0', 'element vertex 3', 'property float x', 'property float y', 'property float z'];
+    const ply = text(...head, 'element face 1', 'property list uchar int vertex_indices', 'end_header', '0 0 0', '1 0 0', '0 1 0');
     const points = ['0 0 0', '1 0 0', '0 1 0', '1 1 0', '0 0 1', '1 0 1', '0 1 1', '1 1 1'];
     const cutCubes = [11, 8, 6, 4].map((faces) => [
         `cube_${faces}.off`,
@@ -119,39 +199,6 @@ export async function damagedFiles() {
     assert.ok(await page.isHidden('#message'), 'the message stays though a file was read');
 }
 
-/** A pentagon and a triangle, big-endian and with a colour: four triangles. */
-export async function polygonsBecomeFans() {
-    const header =
-        'ply\nformat binary_big_endian 1.0\nelement vertex 5\nproperty uchar red\nproperty float x\nproperty float y\n' +
-        'property float z\nelement face 2\nproperty list uchar ushort vertex_index\nend_header\n';
-    const points = [
-            [0, 0, 0],
-            [2, 0, 0],
-            [3, 1, 0],
-            [1, 2, 0],
-            [-1, 1, 0],
-        ],
-        faces = [[0, 1, 2, 3, 4], [0, 1, 3]];
-    const bytes = new Uint8Array(header.length + 5 * 13 + 11 + 7),
-        view = new DataView(bytes.buffer);
-    bytes.set(new TextEncoder().encode(header));
-    let at = header.length;
-    for (const point of points) {
-        point.forEach((number, a) => view.setFloat32(at + 1 + 4 * a, number));
-        at += 13;
-    }
-    for (const face of faces) {
-        view.setUint8(at, face.length);
-        face.forEach((v, k) => view.setUint16(at + 1 + 2 * k, v));
-        at += 1 + 2 * face.length;
-    }
-    const fans = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 3]].flatMap((fan) => fan.flatMap((v) => points[v]));
-    const page = await usualPage(),
-        answer = await answerAfter(page, () => dropFile(page, 'pentagon.ply', bytes));
-    assert.equal(answer.straddling + answer.inside + answer.missed, 4);
-    assertSame(answer, raw('pentagon.f32', Float32Array.from(fans)));
-}
-
 /** Left out unless TRIBOX_MESHES names a folder with them. Positions of doubles become floats in the page. */
 export async function realMeshes() {
     const meshes = process.env.TRIBOX_MESHES;
@@ -177,3 +224,26 @@ export async function filesStayInTheList() {
     const again = await answerAfter(page, () => page.selectOption('#scene', 'file:a.stl'));
     assert.deepEqual([again.straddling, again.inside], [first.straddling, first.inside]);
 }
+
+/** Far more triangles than the page takes, all of one polygon. */
+async function assertTooLarge(name, content) {
+    const page = await usualPage();
+    await page.evaluate(() => (document.getElementById('message').textContent = ''));
+    await page.setInputFiles('#file', write(name, content));
+    await page.waitForFunction(() => document.getElementById('message').textContent);
+    const message = await page.textContent('#message');
+    assert.ok(message.startsWith(`${name}: has more than 8 million triangles`), message);
+}
+
+export async function plyIsTooLarge() {
+    const corners = 16e6,
+        header =
+            'ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\nproperty uchar z\n' +
+            'element face 1\nproperty list uint uchar vertex_indices\nend_header\n\0\0\0';
+    const ply = Buffer.alloc(header.length + 4 + corners);
+    ply.write(header);
+    ply.writeUInt32LE(corners, header.length);
+    await assertTooLarge('large.ply', ply);
+}
+
+export const offIsTooLarge = () => assertTooLarge('large.off', `OFF\n1 1 0\n0 0 0\n${16e6}${' 0'.repeat(16e6)}\n`);
