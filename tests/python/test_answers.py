@@ -169,7 +169,7 @@ CELLS = [
 ]
 
 
-class Answers(cases.TestCase):
+class Asking(cases.TestCase):
     def check(self, question, form, ways, about):
         a = SimpleNamespace(**vars(question), form=form, count=len(question.triangles))
         if ways is PAIRS:
@@ -191,6 +191,8 @@ class Answers(cases.TestCase):
             if number % step == first % step:
                 self.check(question, form, ways, f"form {number}")
 
+
+class Answers(Asking):
     def test_pairs(self):
         for number, question in enumerate(cases.questions()):
             self.check_forms(question, PAIRS, 8, number // 2)
@@ -274,10 +276,8 @@ def cell_by_cell(triangles, origin, cell, size):
     return answer
 
 
-class Truth(Answers):
+class Truth(Asking):
     """In rational numbers, by the same ways: about doubles of every size, and boxes and planes that no float is."""
-
-    test_pairs = test_cells = test_order = test_accuracies = test_counts = test_copies_of_index = None
 
     def test_doubles(self):
         axis = ((0.1, 0.2, 0.7), (0, 1 / 3, 0.1), (-0.9, 0, 0.3))
