@@ -77,12 +77,7 @@ export async function followsTheKeyboard() {
     await page.focus('#canvas');
     const seen = new Set();
     for (const keys of [
-        ['ArrowRight', 'ArrowRight'],
-        ['ArrowUp'],
-        ['PageDown', 'PageDown', 'PageDown'],
-        ['+'],
-        ['-', '-', '-'],
-        ['Alt+ArrowLeft'],
+        ['ArrowRight', 'ArrowRight'], ['ArrowUp'], ['PageDown', 'PageDown', 'PageDown'], ['+'], ['-', '-', '-'], ['Alt+ArrowLeft'],
     ]) {
         const answer = await answerAfter(page, async () => {
             for (const key of keys) await page.keyboard.press(key);
@@ -142,10 +137,7 @@ export async function takesNumbers() {
 export async function everyTest() {
     const page = await usualPage();
     for (const [accuracy, axes, order] of [
-        ['conservative', [1, 2, 4], '312'],
-        ['fast', [1], '0'],
-        ['exact', [2, 4], '231'],
-        ['exact', [4], '321'],
+        ['conservative', [1, 2, 4], '312'], ['fast', [1], '0'], ['exact', [2, 4], '231'], ['exact', [4], '321'],
     ]) {
         await page.click(`#accuracy [value=${accuracy}]`);
         for (const axis of [1, 2, 4]) await page.locator(`[name=axes][value="${axis}"]`).setChecked(true);

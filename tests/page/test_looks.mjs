@@ -72,14 +72,8 @@ export async function darkAndLight() {
         await page.click('#theme');
         assert.notEqual(await themeOf(page), colorScheme);
         const texts = [
-            ['text', 'panel'],
-            ['soft', 'panel'],
-            ['soft', 'raised'],
-            ['text', 'ground'],
-            ['soft', 'ground'],
-            ['soft', 'glow'],
-            ['on-accent', 'accent'],
-            ['alert', 'alert-ground'],
+            ['text', 'panel'], ['soft', 'panel'], ['soft', 'raised'], ['text', 'ground'], ['soft', 'ground'], ['soft', 'glow'],
+            ['on-accent', 'accent'], ['alert', 'alert-ground'],
         ];
         const read = await page.evaluate(contrasts, texts);
         read.forEach((ratio, i) => assert.ok(ratio >= 4.5, `${texts[i]}: ${ratio.toFixed(2)}`));
@@ -136,18 +130,7 @@ export async function namesAndFocus() {
         seen.push(at.name);
     }
     for (const name of [
-        'canvas',
-        'play',
-        'reset',
-        'theme',
-        'scene',
-        'open',
-        'order',
-        'by-index',
-        'cells',
-        'resolution',
-        'measure',
-        'numbers',
+        'canvas', 'play', 'reset', 'theme', 'scene', 'open', 'order', 'by-index', 'cells', 'resolution', 'measure', 'numbers',
     ])
         assert.ok(seen.includes(name), `${name} is not reached by Tab: ${seen}`);
 }
