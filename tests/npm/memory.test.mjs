@@ -255,59 +255,65 @@ test('an index is brought up to date', async () => {
     }
 });
 
+/** An instance with one of each thing in its memory. */
+async function furnished() {
+    const tribox = await load(), soup = tribox.soup({ positions }, { sort: true });
+    return { tribox, soup, index: soup.index(), mesh: tribox.mesh({ positions }), mask: tribox.mask(COUNT), voxels: tribox.voxels(grid) };
+}
+
+/** Calls of each that take memory, and others; those of an index need its soup. */
+const taking = {
+    tribox: [({ tribox }) => tribox.soup({ positions }), ({ tribox }) => tribox.soup({ positions }, { sort: true }),
+        ({ tribox }) => tribox.allocSoup(COUNT), ({ tribox }) => tribox.mesh({ positions }), ({ tribox }) => tribox.mask(COUNT),
+        ({ tribox }) => tribox.mesh({ positions }, { sort: true }), ({ tribox }) => tribox.voxels(grid)],
+    soup: [({ soup }) => soup.overlap(middleBox), ({ soup }) => soup.overlap(oriented), ({ soup }) => soup.classify(middleBox),
+        ({ soup }) => soup.voxelize(grid), ({ soup }) => soup.voxelize({ resolution: 5 }), ({ soup }) => soup.voxelize(grid, { ids: true }),
+        ({ soup }) => soup.index(), ({ soup }) => soup.cellLists(grid), ({ soup }) => soup.tileLists(grid, { side: 2 }),
+        ({ soup }) => soup.bricks(grid, { side: 8 }, () => false), ({ soup, voxels }) => soup.fillParity(voxels),
+        ({ soup }) => soup.split(middleBox), ({ index }) => index.list(middleBox, { ids: true }), ({ index }) => index.list(oriented),
+        ({ index }) => index.lists([middleBox]), ({ index }) => index.classify(middleBox), ({ index }) => index.overlap(middleBox)],
+    voxels: [({ voxels }) => voxels.fillOutside()],
+};
+const resting = [({ soup }) => soup.x, ({ soup }) => soup.ids, ({ soup }) => soup.address, ({ soup }) => soup.count(oriented),
+    ({ soup }) => soup.find(middleBox), ({ soup }) => soup.bounds(), ({ index }) => index.update(), ({ index }) => index.any(middleBox)];
+
 test('what is freed says so', async () => {
-    const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index(), mesh = tribox.mesh({ positions });
-    const mask = tribox.mask(COUNT), voxels = tribox.voxels(grid), own = soup.overlap(middleBox).mask;
+    const all = await furnished(), { tribox, soup, index, mesh, mask, voxels } = all, own = soup.overlap(middleBox).mask;
+    const refused = (name, ...calls) => calls.forEach((call) =>
+        assert.throws(() => call(all), { name: 'TriboxError', message: `this ${name} was freed` }, String(call)));
     soup.free();
     soup.free();
-    for (const call of [() => soup.x, () => soup.ids, () => soup.address, () => soup.overlap(middleBox), () => soup.count(oriented),
-        () => soup.classify(middleBox), () => soup.find(middleBox), () => soup.voxelize(grid), () => soup.voxelize({ resolution: 2 }),
-        () => soup.index(), () => soup.bounds(), () => soup.cellLists(grid), () => index.lists([middleBox]), () => soup.fillParity(voxels),
-        () => soup.tileLists(grid, { side: 4 }),
-        () => soup.bricks(grid, { side: 8 }, assert.fail), () => index.overlap(middleBox), () => index.list(middleBox), () => index.update()])
-        assert.throws(call, { name: 'TriboxError', message: 'this soup was freed' }, String(call));
+    refused('soup', ...taking.soup, ...resting);
     index.free();
-    assert.throws(() => index.any(middleBox), { message: 'this index was freed' });
+    refused('index', () => index.any(middleBox));
     mesh[Symbol.dispose]();
-    assert.throws(() => mesh.positions, { message: 'this mesh was freed' });
-    assert.throws(() => mesh.find(middleBox), { message: 'this mesh was freed' });
+    refused('mesh', () => mesh.positions, () => mesh.find(middleBox));
     mask.free();
     const other = tribox.soup({ positions });
-    assert.throws(() => mask.words, { message: 'this mask was freed' });
-    assert.throws(() => other.overlap(middleBox, { into: mask }), { message: 'this mask was freed' });
+    refused('mask', () => mask.words, () => other.overlap(middleBox, { into: mask }));
     voxels.free();
-    assert.throws(() => voxels.has(0, 0, 0), { message: 'this set of voxels was freed' });
-    assert.throws(() => other.voxelize(grid, { into: voxels }), { message: 'this set of voxels was freed' });
+    refused('set of voxels', () => voxels.has(0, 0, 0), () => other.voxelize(grid, { into: voxels }), ...taking.voxels);
     assert.equal(own.count(), other.count(middleBox), 'a mask of the caller outlives its soup');
     own.free();
-    assert.throws(() => own.list(), { message: 'this mask was freed' });
+    refused('mask', () => own.list());
 });
 
 test('calls leave nothing behind in the memory', async () => {
-    const tribox = await load();
+    const all = await furnished(), { tribox, soup, mesh, voxels } = all, { tribox: made, ...others } = taking;
     const round = () => {
-        const soup = tribox.soup({ positions }, { sort: true }), index = soup.index(), mesh = tribox.mesh({ positions });
-        const mask = tribox.mask(COUNT), voxels = tribox.voxels(grid);
-        for (const asked of [soup, index, mesh]) {
-            asked.overlap(middleBox, { accuracy: 'fast' });
-            asked.classify(middleBox);
-        }
+        made.forEach((call) => call(all).free());
+        Object.values(others).flat().concat(resting).forEach((call) => {
+            const answer = call(all);
+            if (answer?.triangles === soup)
+                answer.free();
+        });
         assert.throws(() => mesh.split(middleBox, { list: [COUNT] }));
-        soup.split(middleBox, { list: mesh.split(middleBox) });
-        soup.overlap(oriented);
-        index.list(oriented);
-        index.list(middleBox, { ids: true });
-        soup.voxelize({ resolution: 5 });
-        soup.voxelize(voxels, { into: voxels });
         assert.throws(() => soup.overlap(middleBox, { into: tribox }));
         assert.throws(() => soup.voxelize({ ...grid, cell: 1e-18, origin: [1, 1, 1] }));
-        mesh.fillParity(voxels);
-        soup.voxelize({ resolution: 5 }).fillOutside();
-        mesh.tileLists(grid, { side: 2 });
-        assert.ok(soup.bricks(grid, { side: 8 }, () => false).stopped);
         assert.throws(() => soup.bricks(grid, { side: 8 }, () => assert.fail()));
-        tribox.mesh({ positions }, { sort: true }).free();
-        [soup, index, mesh, mask, voxels].forEach((object) => object.free());
+        soup.voxelize(voxels, { into: voxels });
+        mesh.fillParity(voxels);
+        mesh.tileLists(grid, { side: 2 });
     };
     round();
     const bytes = bytesOf(tribox);
@@ -317,21 +323,14 @@ test('calls leave nothing behind in the memory', async () => {
 });
 
 test('out of memory is an error, after which there is as much as before', async () => {
-    const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index(), { exports } = tribox;
-    const cells = tribox.voxels(grid);
-    const calls = [() => tribox.soup({ positions }), () => tribox.soup({ positions }, { sort: true }), () => tribox.allocSoup(COUNT),
-        () => tribox.mesh({ positions }), () => tribox.mask(COUNT), () => tribox.voxels(grid), () => soup.overlap(middleBox),
-        () => soup.overlap(oriented), () => soup.classify(middleBox), () => soup.voxelize(grid), () => soup.index(),
-        () => index.list(middleBox), () => index.classify(middleBox), () => tribox.mesh({ positions }, { sort: true }),
-        () => soup.tileLists(grid, { side: 4 }), () => soup.bricks(grid, { side: 8 }, () => {}), () => soup.fillParity(cells),
-        () => cells.fillOutside()];
-    const taken = exhaust(tribox);
+    const all = await furnished(), { tribox, soup, index } = all, calls = Object.values(taking).flat(), taken = exhaust(tribox);
     for (const call of calls)
-        assert.throws(call, (error) => error instanceof TriboxError && /^out of memory: .* would take .* free\(\)/.test(error.message));
+        assert.throws(() => call(all), ({ name, message }) => name === 'TriboxError' &&
+            /^out of memory: .* would take .* free\(\)/.test(message), String(call));
+    resting.forEach((call) => call(all));
     assert.equal(soup.count(middleBox), index.count(middleBox), 'what takes no memory goes on');
-    taken.forEach((address) => exports.free(address));
-    for (const call of calls)
-        call();
+    taken.forEach((address) => tribox.exports.free(address));
+    calls.forEach((call) => call(all));
     for (const length of [2 ** 26, 2 ** 31, 2 ** 32 - 1])
         assert.throws(() => tribox.allocSoup(length), TriboxError, `${length} triangles`);
     assert.throws(() => tribox.voxels({ origin: [0, 0, 0], cell: 1, size: [2 ** 17, 2 ** 17, 2 ** 17] }), /out of memory|grid/);

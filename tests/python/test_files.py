@@ -167,7 +167,8 @@ class Files(cases.TestCase):
                                 (part, r"its bits is uint64 of shape \(3,\)", dict(bits=np.zeros(3, "<u8"))),
                                 (part, "damaged: .* places of 1 bricks", dict(bits=np.zeros((1, 8), "<u8"))),
                                 (part, "damaged: .* places of 2 bricks", dict(inside=np.zeros((2, 8), "<u8"))),
-                                (whole, "damaged: 3 ids of other cells", dict(ids=np.zeros(3, "<u4")))):
+                                (whole, "its ids is int64", dict(ids=np.zeros(3, "<i8"))),
+                                *((whole, f"damaged: {n} ids of other cells", dict(ids=np.zeros(n, "<u4"))) for n in (3, 1000000))):
             with np.load(of) as file:
                 np.savez(path, **{**{name: file[name] for name in file.files}, **arrays})
             self.refuse(tribox.InputError, None, "changed.npz: .*" + why, tribox.Bricks.load, path)
