@@ -163,6 +163,7 @@ CELLS = [
     ("windowCells", lambda a: added(a, window=WINDOW)),
     ("windowThin", lambda a: voxels(a, window=WINDOW, thin=True)),
     ("windowIds", lambda a: voxels(a, window=WINDOW, ids=True).ids),
+    ("windowIds", lambda a: voxels(a, window=WINDOW, ids=True, threads=2).ids),
     ("windowIds", ids_of_bricks),
     ("windowCounts", lambda a: window_of_lists(a)[0]),
     ("window", lambda a: window_of_lists(a, threads=2)[1]),
