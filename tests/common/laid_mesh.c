@@ -34,13 +34,15 @@ static guarded fence_of_noise(random_source *r, size_t bytes)
     return g;
 }
 
-laid_fences laid_fences_make(uint64_t seed)
+laid_fences laid_fences_for(uint64_t seed, size_t triangles, size_t bytes)
 {
     random_source r = random_named(seed, "laid fences");
-    laid_fences f = {.positions = fence_of_noise(&r, LAID_BYTES)};
-    f.indices = fence_of_noise(&r, 3 * LAID_MOST * sizeof(uint32_t) + 8);
+    laid_fences f = {.positions = fence_of_noise(&r, bytes)};
+    f.indices = fence_of_noise(&r, 3 * triangles * sizeof(uint32_t) + 8);
     return f;
 }
+
+laid_fences laid_fences_make(uint64_t seed) { return laid_fences_for(seed, LAID_MOST, LAID_BYTES); }
 
 static unsigned number_bytes(const tribox_mesh *mesh) { return mesh->position_bytes == 8 ? 8 : 4; }
 
@@ -99,6 +101,11 @@ static void put_number(const tribox_mesh *mesh, size_t vertex, int a, double x)
 {
     const float narrow = (float)x;
     memcpy(place_of(mesh, vertex, a), number_bytes(mesh) == 8 ? (const void *)&x : &narrow, number_bytes(mesh));
+}
+
+void laid_mesh_put(const tribox_mesh *mesh, size_t corner, int a, double x)
+{
+    put_number(mesh, laid_mesh_index(mesh, corner), a, x);
 }
 
 /* Strides by the order; the greatest fits LAID_MOST triangles into the fence only where there are no gaps. */

@@ -54,8 +54,9 @@ typedef struct laid_fences {
     guarded positions, indices;
 } laid_fences;
 
-/* Filled with bytes at random: what lies between numbers. */
+/* Filled with bytes at random: what lies between numbers. Of the sizes above, or for more. */
 laid_fences laid_fences_make(uint64_t seed);
+laid_fences laid_fences_for(uint64_t seed, size_t triangles, size_t bytes);
 
 /*
  * Lays out triangles; vertex j of the mesh's triangles is vertex turn[j] of these. By patterns that name not each vertex once it
@@ -64,6 +65,9 @@ laid_fences laid_fences_make(uint64_t seed);
  */
 tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (*u)[3][3], size_t count, const int turn[3],
                          laid_fences f);
+
+/* Another number for axis a of the vertex at a corner. */
+void laid_mesh_put(const tribox_mesh *mesh, size_t corner, int a, double x);
 
 /* The number of the vertex at a corner, and a change of it. */
 size_t laid_mesh_index(const tribox_mesh *mesh, size_t corner);

@@ -6,7 +6,8 @@
 #include "common/soup_or_mesh.h"
 #include "common/fences.h"
 
-form_fences form_fences_make(size_t triangles, size_t boxes)
+/* For so many triangles at most, and so many boxes at once. */
+static form_fences form_fences_make(size_t triangles, size_t boxes)
 {
     const size_t words = tribox_mask_words(triangles);
     return (form_fences){
@@ -19,6 +20,16 @@ form_fences form_fences_make(size_t triangles, size_t boxes)
         .report = guarded_make(sizeof(tribox_report)),
         .found = guarded_make(sizeof(size_t)),
     };
+}
+
+stored_soup stored;
+form_fences fences;
+
+int index_fixture_make(size_t triangles, size_t boxes)
+{
+    stored = stored_soup_make(triangles);
+    fences = form_fences_make(triangles, boxes);
+    return 0;
 }
 
 /* What is asked, and the answers of the calls without an index. */

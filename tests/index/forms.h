@@ -13,8 +13,10 @@ typedef struct form_fences {
     guarded mask, number, bits, inside, list, start, report, found;
 } form_fences;
 
-/* For so many triangles at most, and so many boxes at once. */
-form_fences form_fences_make(size_t triangles, size_t boxes);
+/* What most tests of an index have; made for so many triangles at most, and so many boxes at once. Returns 0, as a set-up does. */
+extern stored_soup stored;
+extern form_fences fences;
+int index_fixture_make(size_t triangles, size_t boxes);
 
 /*
  * Asks all forms about a box: mask, count, words, inside, list, any. EXACT has to be the scalar kernel's tribox_overlap bit for

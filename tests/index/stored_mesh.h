@@ -1,11 +1,11 @@
 /*
  * stored_mesh.h - the triangles of a stored soup as a mesh: of floats or doubles, by vertex numbers or not, in every layout, and of
- * doubles anywhere. Positions and vertex numbers end at pages that cannot be touched.
+ * doubles anywhere. Positions and vertex numbers lie at pages that cannot be touched.
  */
 #ifndef TRIBOX_TESTS_STORED_MESH_H
 #define TRIBOX_TESTS_STORED_MESH_H
 
-#include "common/random_draws.h"
+#include "common/laid_mesh.h"
 #include "stored_soup.h"
 
 /* Of doubles, how they come from the floats of the soup: u * scale + offset[axis]. */
@@ -14,16 +14,14 @@ typedef struct mesh_place {
 } mesh_place;
 
 typedef struct mesh_layout {
-    unsigned position_bytes, index_bytes; /* 0: no vertex numbers */
-    bool is_padded, is_columns;
+    mesh_form form;
     mesh_place place;
 } mesh_layout;
 
 typedef struct stored_mesh {
-    guarded positions_fence, indices_fence;
+    laid_fences fences;
     tribox_mesh mesh;
     mesh_layout layout;
-    uint32_t *vertex; /* of each corner */
 } stored_mesh;
 
 /* For so many triangles at most. */
@@ -36,9 +34,6 @@ void stored_mesh_lay(random_source *r, stored_mesh *m, const mesh_layout *layout
 
 /* Writes the numbers of triangles first .. first + count - 1 once more. */
 void stored_mesh_write(stored_mesh *m, const stored_soup *s, size_t first, size_t count);
-
-/* Another vertex number for a corner of a mesh that has them. */
-void stored_mesh_name(stored_mesh *m, size_t corner, uint32_t vertex);
 
 /* From now on reading a position or a vertex number faults, or no longer does. */
 void stored_mesh_hide(const stored_mesh *m, bool is_hidden);

@@ -5,7 +5,7 @@
 #include "common/harness.h"
 #include "common/fences.h"
 #include "hostile.h"
-#include "index_fixture.h"
+#include "forms.h"
 
 enum { COUNT_MAX = 9000, WORDS = (COUNT_MAX + 63) / 64, BOXES = 4, PAIRS = 100000, ROUNDS = 300 };
 

@@ -4,7 +4,7 @@
  */
 #include "common/harness.h"
 #include "hostile.h"
-#include "index_fixture.h"
+#include "forms.h"
 
 enum { TRIANGLES = 2000, BOXES = 20, PAIRS_A_QUESTION = 10 };
 

@@ -8,7 +8,7 @@
 #include "common/contact.h"
 #include "common/fences.h"
 #include "hostile.h"
-#include "index_fixture.h"
+#include "forms.h"
 #include "oriented_scenes.h"
 
 enum { COUNT_MAX = 2 * TRIBOX_INDEX_BLOCK, WORDS = COUNT_MAX / 64, PAIRS = 100000, ROUNDS = 3, BOXES = 6 };

@@ -7,7 +7,7 @@
 #include "common/harness.h"
 #include "common/fences.h"
 #include "hostile.h"
-#include "index_fixture.h"
+#include "forms.h"
 #include "index/local_bounds.h"
 #include "stored_mesh.h"
 
@@ -41,8 +41,8 @@ static void ask_all(random_source *r, const tribox_box *about, const char *name)
     const tribox_box box = box_in_place(r, &mesh.layout, about);
     const tribox_options options = any_index_options(r);
     char what[128];
-    snprintf(what, sizeof what, "%s, mesh of %u bytes, numbers of %u, scale %g, offset %g", name, mesh.layout.position_bytes,
-             mesh.layout.index_bytes, mesh.layout.place.scale, mesh.layout.place.offset[0]);
+    snprintf(what, sizeof what, "%s, mesh of %u bytes, numbers of %u, scale %g, offset %g", name, mesh.layout.form.position_bytes,
+             mesh.layout.form.index_bytes, mesh.layout.place.scale, mesh.layout.place.offset[0]);
     check_forms(&fences, &stored, &box, &options, what);
 }
 
@@ -114,11 +114,11 @@ CASE(test_bytes)
             draw_mesh(&r, soup_kind_at(k), (size_t)random_int(&r, round ? 600 : 2 * TRIBOX_INDEX_BLOCK));
             for (int n = 0; n < kernels; n++) {
                 mesh_layout other = mesh.layout;
-                other.is_columns = random_int(&r, 2);
-                other.is_padded = random_int(&r, 2);
+                other.form.order = (vertex_order)random_int(&r, VERTEX_ORDERS);
+                other.form.gap = random_int(&r, 2) ? 8 : 0;
                 stored_mesh_lay(&r, &mesh, &other, &stored);
                 expect_same_bytes(&stored.index, names[n], "another layout");
-                if (mesh.layout.position_bytes == 4)
+                if (mesh.layout.form.position_bytes != 8)
                     expect_same_bytes(&(tribox_index){.soup = &stored.soup}, names[n], "the soup");
             }
         }
@@ -176,7 +176,8 @@ CASE(test_unseen)
     random_source r = random_named(args.seed, "unseen");
     for (size_t n = 0; n < 3 * (size_t)kernels; n++) {
         const double at = far[n % 3];
-        const mesh_layout layout = {.position_bytes = 8, .index_bytes = 4, .place = {1, {at, -at, at}}};
+        const mesh_layout layout = {.form = {.position_bytes = 8, .index_bytes = 4, .is_at_end = true},
+                                    .place = {1, {at, -at, at}}};
         stored_soup_lay(&stored, 64 * 300, STORED_AT_END);
         draw_words(&r);
         stored_mesh_lay(&r, &mesh, &layout, &stored);
@@ -200,7 +201,7 @@ CASE(test_unseen)
 static bool has_vertices(size_t i)
 {
     for (size_t v = 0; v < 3; v++)
-        if (mesh.vertex[3 * i + v] >= mesh.mesh.vertices)
+        if (laid_mesh_index(&mesh.mesh, 3 * i + v) >= mesh.mesh.vertices)
             return false;
     return true;
 }
@@ -243,7 +244,7 @@ CASE(test_changed)
         const size_t count = 1 + random_below(&r, 1000), words = tribox_mask_words(count);
         draw_soup(&r, soup_kind_at(round % soup_kind_count()), count);
         mesh_layout layout = draw_layout(&r, count);
-        layout.index_bytes = layout.index_bytes ? layout.index_bytes : 4;
+        layout.form.index_bytes = layout.form.index_bytes ? layout.form.index_bytes : 4;
         stored_mesh_lay(&r, &mesh, &layout, &stored);
         stored_soup_build(&stored, NULL);
         const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &layout, &about);
@@ -253,8 +254,7 @@ CASE(test_changed)
         assert_int_equal(tribox_mesh_overlap(&mesh.mesh, &box, &options, before, NULL), TRIBOX_OK);
         for (size_t lost = random_below(&r, 1 + count / 3); lost > 0; lost--) {
             const size_t corner = random_below(&r, 3 * count);
-            mesh.vertex[corner] = (uint32_t)mesh.mesh.vertices + (uint32_t)random_below(&r, 3);
-            stored_mesh_name(&mesh, corner, mesh.vertex[corner]);
+            laid_mesh_set_index(&mesh.mesh, corner, mesh.mesh.vertices + random_below(&r, 3));
         }
         check_lost(&box, before, &options);
         options.accuracy = TRIBOX_FAST; /* for what it reads */
@@ -273,10 +273,11 @@ CASE(test_shrunk)
         const tribox_options options = any_index_options(&r);
         tribox_report report;
         mesh.mesh.vertices = random_below(&r, 2) ? random_below(&r, 3 * stored.soup.count) : 0;
-        if (mesh.layout.is_columns)
+        if (mesh.layout.form.order != ROWS)
             continue;
-        const size_t left = mesh.mesh.vertices ? (mesh.mesh.vertices - 1) * mesh.mesh.stride + 3 * mesh.layout.position_bytes : 0;
-        void *const kept = guarded_tail(mesh.positions_fence, left);
+        const size_t bytes = mesh.mesh.position_bytes == 8 ? 24 : 12, stride = mesh.mesh.stride ? mesh.mesh.stride : bytes;
+        const size_t left = mesh.mesh.vertices ? (mesh.mesh.vertices - 1) * stride + bytes : 0;
+        void *const kept = guarded_tail(mesh.fences.positions, left);
         mesh.mesh.positions = memmove(kept, mesh.mesh.positions, left);
         assert_int_equal(tribox_index_overlap(&stored.index, &(tribox_region){.box = &box}, &options, NULL, &report), TRIBOX_OK);
         assert_int_equal(tribox_index_build(&stored.index, &options, stored.nodes), TRIBOX_BAD_VERTEX);
@@ -325,7 +326,7 @@ CASE(test_turned_and_changed)
         const size_t count = 1 + random_below(&r, 300);
         draw_soup(&r, soup_kind_at(round % soup_kind_count()), count);
         mesh_layout layout = draw_layout(&r, count);
-        layout.index_bytes = layout.index_bytes ? layout.index_bytes : 4;
+        layout.form.index_bytes = layout.form.index_bytes ? layout.form.index_bytes : 4;
         stored_mesh_lay(&r, &mesh, &layout, &stored);
         stored_soup_build(&stored, NULL);
         const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &layout, &about);
@@ -334,9 +335,7 @@ CASE(test_turned_and_changed)
         uint64_t before[5] = {0}, after[5] = {0};
         assert_int_equal(tribox_mesh_overlap_oriented(&mesh.mesh, &turned, NULL, before, NULL), TRIBOX_OK);
         for (size_t lost = random_below(&r, 1 + count / 3); lost > 0; lost--) {
-            const size_t corner = random_below(&r, 3 * count);
-            mesh.vertex[corner] = (uint32_t)mesh.mesh.vertices;
-            stored_mesh_name(&mesh, corner, mesh.vertex[corner]);
+            laid_mesh_set_index(&mesh.mesh, random_below(&r, 3 * count), mesh.mesh.vertices);
         }
         assert_int_equal(tribox_index_overlap(&stored.index, &region, NULL, after, NULL), TRIBOX_OK);
         for (size_t i = 0; i < count; i++)

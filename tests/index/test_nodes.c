@@ -4,7 +4,7 @@
  */
 #include "common/harness.h"
 #include "hostile.h"
-#include "index_fixture.h"
+#include "forms.h"
 
 static const size_t counts[] = {0,    1,    2,    63,   64,    65,    127,        128,    129,       4031,
                                 4095, 4096, 4097, 8191, 12345, 65535, 262144 - 1, 262144, 262144 + 1};

@@ -3,7 +3,7 @@
 
 #include "common/harness.h"
 #include "hostile.h"
-#include "index_fixture.h"
+#include "forms.h"
 
 enum { TRIANGLES = 5000, BOXES = 7 };
 

@@ -9,7 +9,7 @@
 
 #include "common/harness.h"
 #include "hostile.h"
-#include "index_fixture.h"
+#include "forms.h"
 
 enum { COUNT = 64 * TRIBOX_INDEX_BLOCK + 64, FACES = 6 };
 

@@ -228,7 +228,7 @@ static void draw_many(random_source *r, bool is_mesh)
     stored_soup_lay(&stored, MANY, STORED_AT_END);
     draw_cells(r, &stored);
     spoil_soup(r, &stored, DIRT_ONE_IN_A_WORD);
-    const mesh_layout layout = {.position_bytes = 8, .index_bytes = 4, .place = {1, {1e6 / 3, -7, 1e9}}};
+    const mesh_layout layout = {.form = {.position_bytes = 8, .index_bytes = 4}, .place = {1, {1e6 / 3, -7, 1e9}}};
     if (is_mesh)
         stored_mesh_lay(r, &mesh, &layout, &stored);
     shared = guarded_tail(fence, stored_index_bytes(&stored));
