@@ -196,11 +196,11 @@ static uint64_t past_row(const cells_case *c, size_t word)
     return rest && (word + 1) % window_row(c->at.size) == 0 ? ~UINT64_C(0) << rest : 0;
 }
 
-/* Against the page before and the page after in turn; pages are kept, so that calls without many words cost little. */
+/* Against the page before and the page after in turn, often without a report. Pages are kept, so that few words cost little. */
 static size_t add(const cells_case *c, cells_form in, size_t first, size_t count, uint64_t *occupied)
 {
     static guarded pages;
-    static bool is_after;
+    static unsigned turn;
     const soup_or_mesh of = part_in_form(c, in, first, count, permutations[0]);
     const size_t words = cells_words(c), bytes = words * sizeof *occupied;
     tribox_report report = {SIZE_MAX, SIZE_MAX};
@@ -209,17 +209,19 @@ static size_t add(const cells_case *c, cells_form in, size_t first, size_t count
             guarded_free(pages);
         pages = guarded_make(bytes ? bytes : 1);
     }
-    is_after = !is_after;
-    uint64_t *const to = is_after ? guarded_tail(pages, bytes) : (void *)pages.first;
+    turn++;
+    uint64_t *const to = turn % 2 ? guarded_tail(pages, bytes) : (void *)pages.first;
     memcpy(to, occupied, bytes);
     tell(c, first, count);
-    assert_int_equal(CALL(voxelize, &of, &c->grid, &c->at, &c->options, to, &report), TRIBOX_OK);
+    assert_int_equal(CALL(voxelize, &of, &c->grid, &c->at, &c->options, to, turn % 5 > 1 ? &report : NULL), TRIBOX_OK);
     for (size_t w = 0; w < words; w++)
         if ((occupied[w] & ~to[w]) | (to[w] & ~occupied[w] & past_row(c, w)))
             fail_msg("%s: word %zu was %#llx and is %#llx", doing, w, (unsigned long long)occupied[w], (unsigned long long)to[w]);
-    assert_int_equal(report.overlapping, cells_count(to, words) - cells_count(occupied, words));
+    const size_t set = cells_count(to, words) - cells_count(occupied, words);
+    if (turn % 5 > 1)
+        assert_int_equal(report.overlapping, set);
     memcpy(occupied, to, bytes);
-    return report.overlapping;
+    return set;
 }
 
 /* A mesh of the same floats has the same bits at every accuracy, and EXACT one of doubles. */
