@@ -133,11 +133,11 @@ static unsigned char *place(guarded g, size_t bytes, const mesh_form *form)
 static size_t draw_vertices(random_source *r, const mesh_form *form, size_t count)
 {
     const size_t corners = 3 * count;
-    return !form->index_bytes                    ? corners + random_below(r, 3)
-           : form->pattern == PATTERN_SHARED     ? count / 2 + 2
-           : form->pattern == PATTERN_NEVER_LAST ? corners + 2
-           : form->pattern == PATTERN_ONE        ? 1 + random_below(r, 3)
-                                                 : corners;
+    return !form->index_bytes || form->pattern == PATTERN_EACH ? corners + random_below(r, 3)
+           : form->pattern == PATTERN_SHARED                   ? count / 2 + 2
+           : form->pattern == PATTERN_NEVER_LAST               ? corners + 2
+           : form->pattern == PATTERN_ONE                      ? 1 + random_below(r, 3)
+                                                               : corners;
 }
 
 static size_t draw_index(random_source *r, index_pattern pattern, size_t corner, size_t corners, size_t vertices)

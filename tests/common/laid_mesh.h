@@ -19,7 +19,7 @@ typedef enum vertex_order {
 
 /* Which vertices the indices name. The last vertex matters: nothing may be read past it. */
 typedef enum index_pattern {
-    PATTERN_EACH,        /* every one once, in any order */
+    PATTERN_EACH,        /* one for each corner, in any order; the last ones may be named by none */
     PATTERN_ORDER,       /* 0, 1, 2, 3, ...: the last vertex comes last */
     PATTERN_REVERSED,    /* the last vertex comes first */
     PATTERN_ANY,         /* of as many as there are corners */
@@ -60,8 +60,8 @@ laid_fences laid_fences_for(uint64_t seed, size_t triangles, size_t bytes);
 
 /*
  * Lays out triangles; vertex j of the mesh's triangles is vertex turn[j] of these. By patterns that name not each vertex once it
- * has other triangles, of the same vertices. Without indices there may be more vertices than it needs. Valid until the next mesh is
- * laid into the same fences.
+ * has other triangles, of the same vertices. Without indices, too, there may be more vertices than it needs. Valid until the next
+ * mesh is laid into the same fences.
  */
 tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (*u)[3][3], size_t count, const int turn[3],
                          laid_fences f);

@@ -372,6 +372,28 @@ CASE(test_ranges)
     }
 }
 
+/* So many vertices that what lies ahead is fetched; 2-byte indices reach a part of them. */
+CASE(test_more_vertices_than_named)
+{
+    random_source r = random_named(args.seed, "more vertices");
+    for (unsigned n = 0; n < 6; n++) {
+        const mesh_form form = {.position_bytes = n % 2 ? 8 : 4, .index_bytes = n / 2 * 2, .pattern = PATTERN_ANY};
+        draw_floats(&r, LAID_MOST);
+        tribox_mesh mesh = laid_mesh_of(&r, &form, (const double(*)[3][3])triangles, LAID_MOST, permutations[0], fences);
+        mesh.vertices = 1 << 20;
+        if (form.index_bytes)
+            laid_mesh_set_index(&mesh, 3 * LAID_MOST - 1, 65535);
+        for (size_t k = 0; k < 9 * LAID_MOST; k++)
+            triangles[k / 9][k / 3 % 3][k % 3] = laid_mesh_number(&mesh, k / 3, (int)(k % 3));
+        for (int k = 0; k < kernels; k++) {
+            want(LAID_MOST, TRIBOX_EXACT, TRIBOX_AXES_ALL, names[0]);
+            check_overlap(&mesh, &(tribox_options){.axes = TRIBOX_AXES_ALL, .kernel = names[k]}, AT_END);
+        }
+        if (mesh.position_bytes == 4)
+            check_rows_of_floats(&r, &mesh, AT_END);
+    }
+}
+
 /* About the ends of blocks of any size. */
 CASE(test_blocks)
 {
@@ -464,7 +486,7 @@ CASE(test_bad_indices)
         tribox_mesh mesh = laid_mesh_of(&r, &form, (const double(*)[3][3])triangles, count, permutations[0], fences);
         const tribox_options options = {.accuracy = (tribox_accuracy)(round % 3), .kernel = names[round % kernels]};
         want(count, options.accuracy, TRIBOX_AXES_ALL, options.kernel);
-        mesh.vertices--;
+        mesh.vertices = 3 * count - 1;
         const fenced mask = fenced_place(mask_fence, 8 * tribox_mask_words(count), AT_END),
                      inside = fenced_place(inside_fence, 8 * tribox_mask_words(count), AT_END),
                      report = fenced_place(report_fence, sizeof(tribox_report), AT_END);
@@ -571,5 +593,6 @@ CASE(test_windows)
     }
 }
 
-PROGRAM_AFTER(set_up, RUN(test_lengths), RUN(test_strides), RUN(test_patterns), RUN(test_ranges), RUN(test_windows),
-              RUN(test_blocks), RUN(test_beside), RUN(test_floats), RUN(test_bad_indices))
+PROGRAM_AFTER(set_up, RUN(test_lengths), RUN(test_strides), RUN(test_patterns), RUN(test_ranges),
+              RUN(test_more_vertices_than_named), RUN(test_windows), RUN(test_blocks), RUN(test_beside), RUN(test_floats),
+              RUN(test_bad_indices))

@@ -29,6 +29,11 @@ static const mesh_place places[] = {
 mesh_layout draw_layout(random_source *r, size_t triangles)
 {
     mesh_layout layout = {.form = mesh_form_draw(r, true), .place = places[0]};
+    if (random_int(r, 2)) { /* as most have them: others are read number by number */
+        layout.form.order = ROWS;
+        layout.form.axes = 0;
+        layout.form.shift = 0;
+    }
     layout.form.gap %= GAP + 1;
     layout.form.is_shared = false;
     if (layout.form.index_bytes == 2 && 3 * triangles > 65536)
