@@ -12,7 +12,7 @@
 #ifndef TRIBOX_TESTS_WITNESS_H
 #define TRIBOX_TESTS_WITNESS_H
 
-#include "embree_planes.h"
+#include "model.h"
 
 typedef struct witness_counts {
     size_t solid, soft, ghost; /* lattice hits: inside the triangle; outside by Embree's tolerance; outside by more */

@@ -1,0 +1,459 @@
+/*
+ * test_embree.c - pairs and voxels of every kernel and accuracy against rays. On integers there is no tolerance, no dispute, and
+ * FAST may not err either. On coordinates that round a breach goes to the exact oracle; CONSERVATIVE and FAST have their bounds.
+ */
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/ask.h"
+
+#include "common/arguments.h"
+#include "embree.h"
+#include "witness.h"
+
+enum {
+    SKIPPED = 77,
+    LIBRARIES_MAX = 3 * KERNELS_MAX,
+    CELLS_ASKED = 48, /* with tribox_overlap */
+    DISPUTES_MAX = 2  /* pairs of a data set that this test's own rounding gets wrong; none was ever seen */
+};
+
+/* One kernel at one accuracy. */
+typedef struct library {
+    origin where;
+    size_t missed, unfounded; /* pairs of a certain witness answered 'no', of not even a possible one answered 'yes' */
+    size_t disputes;          /* those of them in which the exact oracle sides with the library */
+} library;
+
+/* What a data set is checked with. */
+typedef struct check {
+    const char *name;
+    const model *model;
+    grid_planes planes;
+    bool is_exact; /* small integers of one unit: then nobody may err, FAST neither */
+    witness witness;
+    streams streams;
+    library libraries[LIBRARIES_MAX]; /* EXACT first */
+    int count;
+    uint64_t *occupied, *voxels; /* the union of EXACT's pairs, and what voxelization says */
+    size_t words, candidates, pairs;
+    random_source r;
+} check;
+
+/*
+ * By how much the projections of a pair on one of the thirteen axes are apart, doubled and not normalised; how long that axis is;
+ * and the bound that the kernels leave for float.
+ */
+typedef struct margin {
+    double apart, length, float_bound;
+} margin;
+
+static void cross(const double p[3], const double q[3], double r[3])
+{
+    for (int i = 0; i < 3; i++)
+        r[i] = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
+}
+
+static void axis_of(const pair_f32 *pair, int number, double axis[3])
+{
+    double edge[3][3], unit[3] = {0};
+    for (int k = 0; k < 9; k++)
+        edge[k / 3][k % 3] = (double)pair->u[(k / 3 + 1) % 3][k % 3] - (double)pair->u[k / 3][k % 3];
+    unit[number < ORACLE_PLANE ? number : number == ORACLE_PLANE ? 0 : (number - ORACLE_EDGES) / 3] = 1;
+    if (number < ORACLE_PLANE)
+        memcpy(axis, unit, sizeof unit);
+    else if (number == ORACLE_PLANE)
+        cross(edge[0], edge[1], axis);
+    else
+        cross(unit, edge[(number - ORACLE_EDGES) % 3], axis);
+}
+
+static margin margin_of(const pair_f32 *pair, int number)
+{
+    double axis[3], place[3] = {0}, r = 0, extent[3], m[3];
+    axis_of(pair, number, axis);
+    for (int a = 0; a < 3; a++) {
+        const double lo = pair->box.lo[a], hi = pair->box.hi[a];
+        double least = INFINITY, most = -INFINITY;
+        for (int j = 0; j < 3; j++) {
+            const double x = (double)pair->u[j][a];
+            place[j] += axis[a] * ((x - lo) + (x - hi));
+            least = fmin(least, x);
+            most = fmax(most, x);
+        }
+        r += (hi - lo) * fabs(axis[a]);
+        extent[a] = most - least;
+        m[a] = fmax(most - lo, hi - least);
+    }
+    const int a = (number - ORACLE_EDGES) / 3 + 1, b = a + 1;
+    const double bound = number < ORACLE_PLANE ? 0
+                         : number >= ORACLE_EDGES
+                             ? 16 * (extent[a % 3] * m[b % 3] + extent[b % 3] * m[a % 3])
+                             : 24 * (extent[1] * extent[2] * m[0] + extent[2] * extent[0] * m[1] + extent[0] * extent[1] * m[2]);
+    return (margin){fmax(fmin(fmin(place[0], place[1]), place[2]), -fmax(fmax(place[0], place[1]), place[2])) - r,
+                    sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]), 2 * 0x1p-24 * bound};
+}
+
+/* The widest separation over the thirteen axes, as a length: above 0 the pair is disjoint, below it the depth. */
+static double gap_of(const pair_f32 *pair)
+{
+    double gap = -INFINITY;
+    for (int k = 0; k < ORACLE_AXES; k++) {
+        const margin m = margin_of(pair, k);
+        gap = m.length > 0 ? fmax(gap, m.apart / (2 * m.length)) : gap;
+    }
+    return gap;
+}
+
+static double largest_of(const pair_f32 *pair)
+{
+    double most = 0;
+    for (int a = 0; a < 3; a++) {
+        for (int j = 0; j < 3; j++)
+            most = fmax(most, fabs((double)pair->u[j][a]));
+        most = fmax(most, fmax(fabs(pair->box.lo[a]), fabs(pair->box.hi[a])));
+    }
+    return most;
+}
+
+/*
+ * CONSERVATIVE may report a disjoint pair if no box normal separates, and whatever other axis does so by no more than three times
+ * the float bound (once for the kernel's own rounding, once for what is left out of the bound, once to spare). FAST may err within
+ * a part of the largest coordinate.
+ */
+static bool is_forgiven(const check *c, const library *l, const pair_f32 *pair, bool answer)
+{
+    bool is_near = answer;
+    for (int k = 0; k < ORACLE_AXES; k++) {
+        const margin m = margin_of(pair, k);
+        is_near = is_near && m.apart <= 3 * m.float_bound;
+    }
+    return l->where.options.accuracy == TRIBOX_CONSERVATIVE ? is_near
+           : l->where.options.accuracy == TRIBOX_FAST       ? !c->is_exact && fabs(gap_of(pair)) <= 0x1p-22 * largest_of(pair)
+                                                            : false;
+}
+
+/* A pair of which the rays say otherwise. */
+static void breach(const check *c, library *l, size_t t, const int cell[3], bool answer)
+{
+    pair_f32 pair = {.box = grid_planes_cell(&c->planes, cell[0], cell[1], cell[2])};
+    memcpy(pair.u, c->model->triangles[t].u, sizeof pair.u);
+    const bool is_right = answer == oracle_overlaps(oracle_separating(&pair), TRIBOX_AXES_ALL);
+    if (is_right ? c->is_exact : !is_forgiven(c, l, &pair, answer)) {
+        fprintf(stderr, "a ray says otherwise, and the oracle sides with the %s; gap %g\n", is_right ? "library" : "ray",
+                gap_of(&pair));
+        fail_pair(&l->where, &pair, answer);
+    }
+    *(answer ? &l->unfounded : &l->missed) += 1;
+    l->disputes += is_right;
+}
+
+static void compare_pair(const check *c, library *l, size_t t, const int cell[3], bool answer)
+{
+    bool is_certain = false, is_possible = false;
+    if (block_has(&c->witness.candidates[t], cell)) {
+        const size_t bit = 64 * c->witness.first_word[t] + block_number(&c->witness.candidates[t], cell);
+        is_certain = bit_of(c->witness.certain, bit);
+        is_possible = bit_of(c->witness.possible, bit);
+    }
+    if ((is_certain && !answer) || (answer && !is_possible))
+        breach(c, l, t, cell, answer);
+}
+
+/* One triangle and the cells that it may meet: EXACT answers the same on every kernel. */
+static void ask_triangle(check *c, size_t t)
+{
+    const block *const candidates = &c->witness.candidates[t];
+    const triangle *const u = &c->model->triangles[t];
+    const size_t count = block_cells(candidates), words = tribox_mask_words(count);
+    float *const bounds = memory_of(6 * count, sizeof *bounds);
+    uint64_t *const mask = memory_of(words, sizeof *mask), *const agreed = memory_of(words, sizeof *agreed);
+    tribox_boxes boxes = {.count = count};
+    int cell[3];
+    for (int k = 0; k < 6; k++)
+        (k < 3 ? boxes.lo : boxes.hi)[k % 3] = bounds + (size_t)k * count;
+    for (size_t n = 0; n < count; n++) {
+        block_cell(candidates, n, cell);
+        for (int k = 0; k < 6; k++)
+            bounds[(size_t)k * count + n] = (float)c->planes.plane[k % 3][cell[k % 3] + k / 3];
+    }
+    for (int k = 0; k < c->count; k++) {
+        library *const l = &c->libraries[k];
+        l->where.function = "tribox_overlap_boxes";
+        ask_boxes(u->u, &boxes, &l->where.options, k ? mask : agreed);
+        if (k && l->where.options.accuracy == TRIBOX_EXACT && memcmp(agreed, mask, words * sizeof *mask) != 0)
+            fail_msg("%s: kernel %s answers EXACT otherwise than the first for triangle %zu", c->name, l->where.options.kernel, t);
+        for (size_t n = 0; n < count; n++) {
+            block_cell(candidates, n, cell);
+            compare_pair(c, l, t, cell, bit_of(k ? mask : agreed, n));
+            if (!k && bit_of(agreed, n)) {
+                const size_t bit = planes_bit(&c->planes, cell);
+                c->occupied[bit / 64] |= UINT64_C(1) << bit % 64;
+                c->pairs++;
+            }
+        }
+    }
+    c->candidates += count;
+    free(bounds);
+    free(mask);
+    free(agreed);
+}
+
+/* The same pairs with the loops exchanged: all triangles against one cell. */
+static void ask_cell(check *c, uint64_t *mask)
+{
+    int cell[3];
+    for (int a = 0; a < 3; a++)
+        cell[a] = random_int(&c->r, (int)c->planes.grid.size[a]);
+    const tribox_box box = grid_planes_cell(&c->planes, cell[0], cell[1], cell[2]);
+    for (int k = 0; k < c->count; k++) {
+        c->libraries[k].where.function = "tribox_overlap";
+        ask_soup(&c->streams.soup, &box, &c->libraries[k].where.options, mask);
+        for (size_t t = 0; t < c->model->count; t++)
+            compare_pair(c, &c->libraries[k], t, cell, bit_of(mask, t));
+    }
+}
+
+/* In two pieces, of which one may be empty; EXACT voxels are the union of the pairs, bit for bit; CONSERVATIVE ones hold it. */
+static void check_voxels(check *c, const library *l)
+{
+    const tribox_options *const o = &l->where.options;
+    const tribox_grid *const grid = &c->planes.grid;
+    const uint32_t *const size = grid->size, below = (uint32_t)random_int(&c->r, (int)size[2] + 1);
+    const tribox_window lower = {{0}, {size[0], size[1], below}}, upper = {{0, 0, below}, {size[0], size[1], size[2] - below}};
+    uint64_t *const voxels = c->voxels;
+    tribox_report report;
+    memset(voxels, 0, c->words * sizeof *voxels);
+    assert_int_equal(tribox_voxelize(&c->streams.soup, grid, &lower, o, voxels, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&c->streams.soup, grid, &upper, o, voxels + c->words / size[2] * below, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&c->streams.soup, grid, NULL, o, voxels, &report), TRIBOX_OK);
+    assert_int_equal(report.overlapping, 0);
+    for (size_t k = 0; k < c->words && o->accuracy != TRIBOX_FAST; k++) {
+        const uint64_t missing = c->occupied[k] & ~voxels[k], extra = voxels[k] & ~c->occupied[k];
+        if (missing || (extra && o->accuracy == TRIBOX_EXACT))
+            fail_msg("%s: voxels of kernel %s, accuracy %d: word %zu is not the union of the pairs: missing %" PRIx64
+                     ", too many %" PRIx64,
+                     c->name, o->kernel, (int)o->accuracy, k, missing, extra);
+    }
+}
+
+static void check_counts(const check *c)
+{
+    const witness_counts *const n = &c->witness.counts;
+    size_t disputes = 0, unfounded = 0, missed = 0;
+    for (int k = 0; k < c->count; k++) {
+        assert_in_range(c->libraries[k].disputes, 0, DISPUTES_MAX);
+        disputes += c->libraries[k].disputes;
+        unfounded += c->libraries[k].unfounded;
+        missed += c->libraries[k].missed;
+    }
+    printf("%-28s %zu triangles, %zu of %zu candidates overlap; rays: %zu inside, %zu grazing, %zu soft, %zu ghosts, %zu edges, "
+           "%zu left "
+           "out, %zu vertices; %zu disputes, %zu too many, %zu too few\n",
+           c->name, c->model->count, c->pairs, c->candidates, n->solid, n->grazing, n->soft, n->ghost, n->edges, n->left_out,
+           n->vertices, disputes, unfounded, missed);
+    fflush(stdout);
+    assert_int_equal(n->strays, 0);
+    assert_true(c->pairs > 0);
+    assert_true(!c->is_exact || n->soft + n->ghost + n->left_out == 0);
+}
+
+static void check_data_set(const char *name, const model *m, const tribox_grid *grid, bool is_exact, uint64_t seed)
+{
+    check c = {
+        .name = name, .model = m, .is_exact = is_exact, .r = random_named(seed, name), .words = tribox_window_words(grid->size)};
+    const char *kernels[KERNELS_MAX];
+    const int kernel_count = kernels_here(kernels);
+    for (; c.count < 3 * kernel_count; c.count++)
+        c.libraries[c.count].where =
+            (origin){.scene = name,
+                     .seed = seed,
+                     .options = {.accuracy = (tribox_accuracy)(c.count / kernel_count), .kernel = kernels[c.count % kernel_count]}};
+    assert_true(planes_make(&c.planes, grid));
+    c.witness = witness_make(&c.planes, m, is_exact);
+    c.streams = streams_make(m);
+    c.occupied = memory_of(c.words, sizeof *c.occupied);
+    c.voxels = memory_of(c.words, sizeof *c.voxels);
+    uint64_t *const mask = memory_of(tribox_mask_words(m->count), sizeof *mask);
+    for (size_t t = 0; t < m->count; t++)
+        ask_triangle(&c, t);
+    for (int k = 0; k < CELLS_ASKED; k++)
+        ask_cell(&c, mask);
+    for (int k = 0; k < c.count; k++)
+        check_voxels(&c, &c.libraries[k]);
+    check_counts(&c);
+    free(mask);
+    free(c.occupied);
+    free(c.voxels);
+    streams_free(&c.streams);
+    witness_free(&c.witness);
+}
+
+/* Models, made in [-1, 1]^3; what `size` is of each: the extent of triangles, the tube of a torus. */
+typedef enum shape { SOUP, FEW, ICOSPHERE, TORUS, CUBE, SHAKEN } shape;
+
+static void place_alike(model *m, double scale, double shift)
+{
+    model_place(m, (const double[3]){scale, scale, scale}, (const double[3]){shift, shift, shift});
+}
+
+static model made(shape s, size_t count, double size, random_source *r)
+{
+    model m = s == SOUP || s == FEW ? model_soup(r, count, size)
+              : s == TORUS          ? model_torus(64, 32, size)
+              : s == CUBE           ? model_cube(8)
+                                    : model_icosphere(4);
+    if (s == SHAKEN) { /* all but touching, everywhere: snapped to integers, then moved by an ulp */
+        place_alike(&m, 28, 32);
+        model_snap(&m);
+        model_shake(&m, r);
+    }
+    return m;
+}
+
+/* Vertices are integers from 0 to 63, planes lie at multiples of 1, 2 and 4. */
+enum { EXTENT = 64, COARSEST = 4 };
+static const struct integers {
+    const char *name;
+    shape shape;
+    size_t count;
+    double size, scale, shift;
+} integers[] = {
+    {"soup", SOUP, 600, 2, 31.5, 31.5},
+    {"soup within 8", SOUP, 8000, 2.0 * 8 / 63, 31.5, 31.5},
+    {"soup within 2", SOUP, 8000, 2.0 * 2 / 63, 31.5, 31.5},
+    {"icosphere", ICOSPHERE, 0, 0, 28, 32},
+    {"torus", TORUS, 0, 8.0 / 28, 28, 32},
+    {"cube", CUBE, 0, 0, 16, 32},
+};
+
+static void check_integers(const struct integers *from, double scale, double shift, const int h[3], uint64_t seed)
+{
+    char name[64];
+    tribox_grid grid;
+    (void)snprintf(name, sizeof name, "%s * %g + %g, %d %d %d", from->name, scale, shift, h[0], h[1], h[2]);
+    random_source r = random_named(seed, from->name);
+    model m = made(from->shape, from->count, from->size, &r);
+    place_alike(&m, from->scale, from->shift);
+    model_snap(&m);
+    place_alike(&m, scale, shift);
+    for (int a = 0; a < 3; a++) {
+        grid.origin[a] = shift;
+        grid.cell[a] = h[a] * scale;
+        grid.size[a] = (uint32_t)(EXTENT / h[a]);
+    }
+    check_data_set(name, &m, &grid, true, seed);
+    model_free(&m);
+}
+
+static void check_frame(const arguments *args, double scale, double shift, bool has_all_grids)
+{
+    for (size_t k = 0; k < sizeof integers / sizeof integers[0]; k++) {
+        for (int h = arguments_are_short(args) ? 2 : 1; has_all_grids && h <= COARSEST; h *= 2)
+            check_integers(&integers[k], scale, shift, (const int[3]){h, h, h}, args->seed);
+        check_integers(&integers[k], scale, shift, (const int[3]){1, 4, 2}, args->seed);
+    }
+}
+
+static void test_integers(void **state) { check_frame(*state, 1, 0, true); }
+static void test_shifted_integers(void **state) { check_frame(*state, 1, 0x1p20, true); }
+
+/* By a power of two, every number of the same pairs rounds alike: one grid is enough. */
+static void test_scaled_integers(void **state) { check_frame(*state, 0x1p-10, 0, false); }
+
+#define CUBES(least, most, n) \
+    { \
+        {least, least, least}, {(most - (least)) / n, (most - (least)) / n, (most - (least)) / n}, { n, n, n } \
+    }
+#define AS_IT_IS \
+    {1, 1, 1}, { 0, 0, 0 }
+
+/* Scaled and shifted. Cells need not be cubes; Embree takes floats: so are all planes. */
+static const struct rounded {
+    const char *name;
+    shape shape;
+    double size, scale[3], shift[3];
+    tribox_grid grid;
+} rounded[] = {
+    {"icosphere 16", ICOSPHERE, 0, AS_IT_IS, CUBES(-1.5, 1.5, 16)},
+    {"icosphere 64", ICOSPHERE, 0, AS_IT_IS, CUBES(-1.5, 1.5, 64)},
+    {"icosphere 128", ICOSPHERE, 0, AS_IT_IS, CUBES(-1.5, 1.5, 128)},
+    {"icosphere, tight", ICOSPHERE, 0, AS_IT_IS, CUBES(-1.0, 1.0, 64)},
+    {"icosphere, odd cells", ICOSPHERE, 0, AS_IT_IS, CUBES(-1.09375, 1.09375, 64)},
+    {"torus 16", TORUS, 2.0 / 7, AS_IT_IS, CUBES(-1.5, 1.5, 16)},
+    {"torus 64", TORUS, 2.0 / 7, AS_IT_IS, CUBES(-1.5, 1.5, 64)},
+    {"torus 128", TORUS, 2.0 / 7, AS_IT_IS, CUBES(-1.5, 1.5, 128)},
+    {"torus, tight", TORUS, 2.0 / 7, AS_IT_IS, CUBES(-1.0, 1.0, 64)},
+    {"torus, odd cells", TORUS, 2.0 / 7, AS_IT_IS, CUBES(-1.09375, 1.09375, 64)},
+    {"cube on planes", CUBE, 0, AS_IT_IS, CUBES(-2.0, 2.0, 64)},
+    {"cube, odd cells", CUBE, 0, AS_IT_IS, CUBES(-1.09375, 1.09375, 64)},
+    {"soup 16", SOUP, 2, {2, 2, 2}, {0, 0, 0}, CUBES(-2.0, 2.0, 16)},
+    {"soup 64", FEW, 2, {2, 2, 2}, {0, 0, 0}, CUBES(-2.0, 2.0, 64)},
+    {"small soup", SOUP, 0.1, {2, 2, 2}, {0, 0, 0}, CUBES(-2.0, 2.0, 64)},
+    /* flat and long cells, far ones, and meshes that stick out of the grid */
+    {"flat cells", ICOSPHERE, 0, AS_IT_IS, {{-1.125, -1.25, -1.3125}, {0.009765625, 0.1015625, 0.703125}, {128, 24, 4}}},
+    {"long cells", TORUS, 2.0 / 7, AS_IT_IS, {{-1.3125, -1.015625, -0.3125}, {0.90625, 0.0166015625, 0.03125}, {3, 120, 20}}},
+    {"grid within the mesh",
+     ICOSPHERE,
+     0,
+     AS_IT_IS,
+     {{-0.71875, -0.296875, 0.09375}, {0.0126953125, 0.0205078125, 0.0166015625}, {70, 40, 60}}},
+    {"soup in flat cells",
+     SOUP,
+     2,
+     {2, 3, 1},
+     {0, 0, 0},
+     {{-1.90625, -2.703125, -0.90625}, {0.296875, 0.109375, 0.90625}, {13, 50, 2}}},
+    {"icosphere, far",
+     ICOSPHERE,
+     0,
+     {1, 1, 1},
+     {1000.1, -2000.3, 3000.7},
+     {{999, -2001.5, 2999.625}, {0.05078125, 0.041015625, 0.0341796875}, {48, 70, 64}}},
+    {"torus, far",
+     TORUS,
+     2.0 / 7,
+     {1, 2, 3},
+     {-70000.3, 5, 0.1},
+     {{-70001.375, 2.90625, -0.90625}, {0.0703125, 0.05078125, 0.029296875}, {32, 90, 64}}},
+    {"small soup, far",
+     SOUP,
+     0.1,
+     {2, 2, 2},
+     {100.3, 300.1, -900.7},
+     {{98.203125, 298.109375, -902.796875}, {0.060546875, 0.0703125, 0.1015625}, {68, 57, 40}}},
+    {"shaken icosphere", SHAKEN, 0, AS_IT_IS, {{0, 0, 0}, {1, 1, 1}, {64, 64, 64}}},
+    {"shaken, flat cells", SHAKEN, 0, AS_IT_IS, {{0, 0, 0}, {2, 1, 4}, {32, 64, 16}}},
+    {"cube, far",
+     CUBE,
+     0,
+     {1, 1, 1},
+     {30000.1, 40000.2, -50000.3},
+     {{29999, 39999, -50001.5}, {0.03125, 0.0625, 0.05078125}, {70, 36, 50}}},
+};
+
+static void test_rounded(void **state)
+{
+    const arguments *const args = *state;
+    for (size_t k = 0; k < sizeof rounded / sizeof rounded[0] && !arguments_are_short(args); k++) {
+        const struct rounded *const from = &rounded[k];
+        random_source r = random_named(args->seed, from->name);
+        model m = made(from->shape, from->size < 1 ? 8000 : from->shape == FEW ? 600 : 6000, from->size, &r);
+        model_place(&m, from->scale, from->shift);
+        check_data_set(from->name, &m, &from->grid, false, args->seed);
+        model_free(&m);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    if (!embree_is_usable())
+        return SKIPPED;
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(test_integers, &args), cmocka_unit_test_prestate(test_shifted_integers, &args),
+        cmocka_unit_test_prestate(test_scaled_integers, &args), cmocka_unit_test_prestate(test_rounded, &args)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
