@@ -72,7 +72,8 @@ for name, parts in BODIES.items():
     mesh = np.concatenate(parts)
     cells = tribox.voxelize(mesh, GRID)
     solids = [tribox.voxelize(mesh, GRID, fill=fill) for fill in ("outside", "parity")]
-    print(f"{name:9} {len(mesh):5} triangles: outside fills {(solids[0] & ~cells).sum():6} cells, parity {(solids[1] & ~cells).sum():6}")
+    outside, parity = ((solid & ~cells).sum() for solid in solids)
+    print(f"{name:9} {len(mesh):5} triangles: outside fills {outside:6} cells, parity {parity:6}")
     panels = [panel(cells, solid) for solid in (cells, *solids)]
     gap = np.full((len(panels[0]), GAP, 3), 255, np.uint8)
     write_png(os.path.join(sys.argv[1], name + ".png"), np.concatenate([panels[0], gap, panels[1], gap, panels[2]], 1))
