@@ -97,7 +97,7 @@ static void make_boxes(const pairs *p, size_t count, box_work *work)
     }
 }
 
-static bool run_paper_boxes(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_paper_boxes)
 {
     const box_work *const work = self->question;
     paper_walk *const walk = paper_in_order(PAPER_ORDER);
@@ -113,7 +113,6 @@ static bool run_paper_boxes(const contestant *self, uint64_t *mask, tribox_repor
             }
         }
     }
-    (void)report;
     return true;
 }
 
@@ -128,18 +127,13 @@ static bool answer_boxes(const box_work *work, const tribox_options *options, ui
     return true;
 }
 
-static bool run_boxes(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    (void)report;
-    return answer_boxes(self->question, &self->options, mask);
-}
+CONTESTANT_RUN(run_boxes) { return answer_boxes(self->question, &self->options, mask); }
 
 /* The same triangles as a mesh of nine floats each. */
-static bool run_meshes(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_meshes)
 {
     const timing_work *const work = self->question;
     bool is_right = true;
-    (void)report;
     for (size_t call = 0; call < work->count; mask += tribox_mask_words(work->jobs[call++].soup.count)) {
         const timing_job *const job = &work->jobs[call];
         const tribox_mesh mesh = {.positions = job->triangles, .vertices = 3 * job->soup.count, .count = job->soup.count};

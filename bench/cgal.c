@@ -36,9 +36,8 @@ enum { TRIANGLES = 16384 };
 
 static const char *const names[CGAL_WAYS] = {"cgal-epick-bbox", "cgal-epick-cuboid", "cgal-epeck-bbox", "cgal-epeck-cuboid"};
 
-static bool run_peer(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_peer)
 {
-    (void)report;
     cgal_peer_answer(self->question, mask);
     return true;
 }

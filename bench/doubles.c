@@ -227,31 +227,29 @@ typedef struct form {
 
 static const form *question_of(const contestant *self) { return self->question; }
 
-static bool run_floats(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_floats)
 {
     const form *const q = question_of(self);
     return !tribox_mesh_overlap(q->mesh, &q->at->single_box, &self->options, mask, report);
 }
 
-static bool run_doubles(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_doubles)
 {
     const form *const q = question_of(self);
     return !tribox_mesh_overlap(q->mesh, &q->at->box, &self->options, mask, report);
 }
 
-static bool run_reading(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_reading)
 {
     const tribox_mesh *const mesh = question_of(self)->mesh;
-    (void)report;
     mask[0] = loads_words(mesh->positions, 6 * mesh->vertices);
     if (mesh->indices)
         mask[0] ^= loads_words(mesh->indices, 3 * mesh->count);
     return true;
 }
 
-static bool run_peer(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_peer)
 {
-    (void)report;
     cgal_peer_answer(question_of(self)->peer, mask);
     return true;
 }
@@ -269,7 +267,7 @@ static size_t enter(const double_scene *at, const cgal_peer *peer, const char *k
 {
     const struct {
         const char *name;
-        bool (*run)(const contestant *, uint64_t *, tribox_report *);
+        contestant_run *run;
         const tribox_mesh *mesh;
         answer_promise promise;
     } all[ENTRIES] = {

@@ -161,18 +161,15 @@ static index_question question_of(field *f, kind k)
 
 /* ---- building -------------------------------------------------------------------------------------------------------------- */
 
-static bool run_reading(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_reading)
 {
-    (void)report;
     mask[0] = loads_all(self->question);
     return true;
 }
 
-static bool run_build(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_build)
 {
     const tribox_index *const index = self->question;
-    (void)mask;
-    (void)report;
     return !tribox_index_build(index, &self->options, (void *)(uintptr_t)index->nodes);
 }
 
@@ -276,25 +273,13 @@ static bool run_many(const contestant *self, int which)
     return !tribox_index_lists(m->index, &m->boxes[which], &self->options, m->room, m->list, m->start);
 }
 
-static bool run_as_drawn(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    (void)mask;
-    (void)report;
-    return run_many(self, AS_DRAWN);
-}
+CONTESTANT_RUN(run_as_drawn) { return run_many(self, AS_DRAWN); }
 
-static bool run_in_order(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    (void)mask;
-    (void)report;
-    return run_many(self, IN_ORDER);
-}
+CONTESTANT_RUN(run_in_order) { return run_many(self, IN_ORDER); }
 
-static bool run_ordering(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_ordering)
 {
     const many *const m = self->question;
-    (void)mask;
-    (void)report;
     return !tribox_boxes_sort(&m->boxes[0], m->order, m->scratch);
 }
 
@@ -338,8 +323,7 @@ static bool is_many_right(const many *m, const tribox_box *boxes, size_t triangl
 
 static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
 {
-    static bool (*const runs[MANY_RUNS])(const contestant *, uint64_t *, tribox_report *) = {run_as_drawn, run_in_order,
-                                                                                             run_ordering};
+    static contestant_run *const runs[MANY_RUNS] = {run_as_drawn, run_in_order, run_ordering};
     const tribox_options options = {.kernel = q->kernel};
     tribox_box *const boxes = asked_allocate(count, sizeof *boxes);
     many m = {.index = &f->cuts.index};

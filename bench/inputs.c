@@ -34,50 +34,38 @@ static const timing_job *job_of(const contestant *self) { return ((const input *
 
 static const tribox_mesh *mesh_of(const contestant *self) { return ((const input *)self->question)->mesh; }
 
-static bool run_streams(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    return !tribox_overlap(&job_of(self)->soup, &job_of(self)->box, &self->options, mask, report);
-}
+CONTESTANT_RUN(run_streams) { return !tribox_overlap(&job_of(self)->soup, &job_of(self)->box, &self->options, mask, report); }
 
-static bool run_mesh(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    return !tribox_mesh_overlap(mesh_of(self), &job_of(self)->box, &self->options, mask, report);
-}
+CONTESTANT_RUN(run_mesh) { return !tribox_mesh_overlap(mesh_of(self), &job_of(self)->box, &self->options, mask, report); }
 
-static bool run_to_streams(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_to_streams)
 {
     const forms *const f = ((const input *)self->question)->f;
     const size_t count = job_of(self)->soup.count;
     float *to[9];
-    (void)mask;
-    (void)report;
     for (size_t k = 0; k < 9; k++)
         to[k] = f->streams + k * count;
     return !tribox_mesh_to_soup(mesh_of(self), NULL, 0, count, &self->options, to, to + 3, to + 6);
 }
 
-static bool run_copy(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_copy)
 {
-    (void)mask;
-    (void)report;
     memcpy(((const input *)self->question)->f->streams, job_of(self)->triangles, 9 * job_of(self)->soup.count * sizeof(float));
     return true;
 }
 
-static bool run_reading(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_reading)
 {
     const tribox_mesh *const m = mesh_of(self);
-    (void)report;
     mask[0] = loads_words(m->positions, 3 * m->vertices);
     if (m->indices)
         mask[0] ^= loads_words(m->indices, 3 * m->count * m->index_bytes / sizeof(uint32_t));
     return true;
 }
 
-static bool run_any(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_any)
 {
     size_t first;
-    (void)report;
     const bool is_answered = !tribox_find(&job_of(self)->soup, &job_of(self)->box, &self->options, TRIBOX_FIRST_HIT, &first);
     mask[0] = first;
     return is_answered;
@@ -96,18 +84,12 @@ static bool run_turned(const contestant *self, float e, float d, uint64_t *mask,
     return !tribox_overlap_oriented(&job_of(self)->soup, &box, &self->options, mask, report);
 }
 
-static bool run_oriented(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    return run_turned(self, 0.87758256f, 0.47942554f, mask, report);
-}
+CONTESTANT_RUN(run_oriented) { return run_turned(self, 0.87758256f, 0.47942554f, mask, report); }
 
 /* Its lower side stays in its plane, and so do triangles of scenes of contact. */
-static bool run_about_z(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    return run_turned(self, 1, 0, mask, report);
-}
+CONTESTANT_RUN(run_about_z) { return run_turned(self, 1, 0, mask, report); }
 
-static bool run_classify(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_classify)
 {
     uint64_t *const inside = ((const input *)self->question)->f->inside;
     return !tribox_classify(&job_of(self)->soup, &job_of(self)->box, &self->options, mask, inside, report);
@@ -160,7 +142,7 @@ static size_t enter(const forms *f, const char *kernel, input *inputs, contestan
 {
     const struct {
         const char *name;
-        bool (*run)(const contestant *, uint64_t *, tribox_report *);
+        contestant_run *run;
         const tribox_mesh *mesh;
         answer_promise promise;
     } all[] = {

@@ -9,29 +9,27 @@
 #include "paper/paper.h"
 #include "read/indexed_mesh.h"
 
-static bool run_loads(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_loads)
 {
     const timing_work *const work = self->question;
-    (void)report;
     mask[0] = 0;
     for (size_t i = 0; i < work->count; i++)
         mask[0] ^= loads_all(&work->jobs[i].soup);
     return true;
 }
 
-static bool run_plain(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_plain)
 {
     const timing_work *const work = self->question;
     for (size_t i = 0; i < work->count; i++) {
         unbranched_overlap(&work->jobs[i].soup, work->jobs[i].center, work->jobs[i].half, mask);
         mask += tribox_mask_words(work->jobs[i].soup.count);
     }
-    (void)report;
     return true;
 }
 
 /* A word of triangles at a time is copied to where the paper's test wants it. */
-static bool run_by_indices(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_by_indices)
 {
     const timing_work *const work = self->question;
     const timing_job *const job = work->jobs;
@@ -46,7 +44,6 @@ static bool run_by_indices(const contestant *self, uint64_t *mask, tribox_report
                 memcpy(triangles[i][v], positions + 3 * (size_t)corners[3 * (first + i) + v], sizeof triangles[i][v]);
         walk(job->center, job->half, (const float(*)[3][3])triangles, count, mask + first / 64);
     }
-    (void)report;
     return true;
 }
 

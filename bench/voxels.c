@@ -147,17 +147,17 @@ static void clear(const contestant *self, uint64_t *bits)
     memset(bits, 0, t->words * sizeof *bits);
 }
 
-static bool run_tribox(const contestant *self, uint64_t *bits, tribox_report *report)
+CONTESTANT_RUN(run_tribox)
 {
     const task *const t = self->question;
-    return !tribox_voxelize(&t->at->soup, &t->grid, NULL, &self->options, bits, report);
+    return !tribox_voxelize(&t->at->soup, &t->grid, NULL, &self->options, mask, report);
 }
 
-static bool run_threads(const contestant *self, uint64_t *bits, tribox_report *report)
+CONTESTANT_RUN(run_threads)
 {
     const task *const t = self->question;
     const voxel_task work = voxel_task_of_soup(&t->at->soup, &t->grid, &self->options);
-    return !voxelize_in_threads(&work, 2, bits, report, NULL);
+    return !voxelize_in_threads(&work, 2, mask, report, NULL);
 }
 
 static size_t pick_sample(const task *t, size_t step)
@@ -168,40 +168,30 @@ static size_t pick_sample(const task *t, size_t step)
     return count;
 }
 
-static bool run_rival(const task *t, voxel_rival *rival, size_t step, uint64_t *bits)
+static bool run_rival(const task *t, voxel_rival *rival, int which, uint64_t *bits)
 {
+    const size_t step = t->step[which];
     const bool is_sample = step > 1;
     const size_t count = is_sample ? (t->at->soup.count + step - 1) / step : t->at->soup.count;
     rival(&t->grid, is_sample ? (const float(*)[3][3])t->sample : t->at->triangles, count, bits);
     return true;
 }
 
-static bool run_seidel(const contestant *self, uint64_t *bits, tribox_report *report)
-{
-    const task *const t = self->question;
-    (void)report;
-    return run_rival(t, voxelize_schwarz_seidel, t->step[RIVAL_SEIDEL], bits);
-}
+CONTESTANT_RUN(run_seidel) { return run_rival(self->question, voxelize_schwarz_seidel, RIVAL_SEIDEL, mask); }
 
-static bool run_cells(const contestant *self, uint64_t *bits, tribox_report *report)
-{
-    const task *const t = self->question;
-    (void)report;
-    return run_rival(t, voxelize_cell_by_cell, t->step[RIVAL_CELLS], bits);
-}
+CONTESTANT_RUN(run_cells) { return run_rival(self->question, voxelize_cell_by_cell, RIVAL_CELLS, mask); }
 
-static bool run_reading(const contestant *self, uint64_t *bits, tribox_report *report)
+CONTESTANT_RUN(run_reading)
 {
     const task *const t = self->question;
-    (void)report;
-    bits[0] = loads_all(&t->at->soup);
+    mask[0] = loads_all(&t->at->soup);
     return true;
 }
 
-static bool run_writing(const contestant *self, uint64_t *bits, tribox_report *report)
+CONTESTANT_RUN(run_writing)
 {
     const task *const t = self->question;
-    const size_t set = voxel_words_write(&t->answer, bits);
+    const size_t set = voxel_words_write(&t->answer, mask);
     if (report)
         *report = (tribox_report){.overlapping = set};
     return true;

@@ -373,8 +373,7 @@ static void empty_caches(const contestant *self, uint64_t *mask)
 
 contestant index_contestant(const index_question *question, index_form form, bool is_cold, const char *kernel)
 {
-    static bool (*const run[FORMS])(const contestant *, uint64_t *, tribox_report *) = {run_list,  run_count, run_any,
-                                                                                        run_words, run_mask,  run_linear};
+    static contestant_run *const run[FORMS] = {run_list, run_count, run_any, run_words, run_mask, run_linear};
     const bool is_linear = form == FORM_LINEAR;
     contestant made = {.run = run[form], .question = question, .options = {.kernel = kernel}};
     made.pairs = (double)(is_linear ? question->linear_count : question->count);

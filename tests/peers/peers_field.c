@@ -177,20 +177,17 @@ typedef struct peer_question {
     size_t count;
 } peer_question;
 
-static bool run_list(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_list)
 {
     const peer_question *const q = self->question;
-    (void)mask;
-    (void)report;
     q->with->lists.count = 0;
     q->with->peer->list(q->with->tree, q->boxes, q->count, &q->with->lists);
     return true;
 }
 
-static bool run_any(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_any)
 {
     const peer_question *const q = self->question;
-    (void)report;
     mask[0] = q->with->peer->any(q->with->tree, q->boxes, q->count);
     return true;
 }

@@ -152,7 +152,7 @@ void timing_work_free(timing_work *work)
 
 /* ---- who is timed ------------------------------------------------------------------------------------------------------------ */
 
-static bool run_paper(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_paper)
 {
     const timing_work *const work = self->question;
     paper_walk *const walk = paper_in_order(self->options.axis_order);
@@ -161,11 +161,10 @@ static bool run_paper(const contestant *self, uint64_t *mask, tribox_report *rep
         walk(job->center, job->half, job->triangles, job->soup.count, mask);
         mask += tribox_mask_words(job->soup.count);
     }
-    (void)report;
     return true;
 }
 
-static bool run_kernel(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_kernel)
 {
     const timing_work *const work = self->question;
     tribox_report of_job;
@@ -205,7 +204,7 @@ contestant contestant_kernel(const timing_work *work, const tribox_options *opti
     return one;
 }
 
-static bool run_mesh(const contestant *self, uint64_t *mask, tribox_report *report)
+CONTESTANT_RUN(run_mesh)
 {
     const timing_work *const work = self->question;
     return !tribox_mesh_overlap(&work->mesh, &work->jobs[0].box, &self->options, mask, report);
