@@ -6,10 +6,6 @@
 #include "printout.h"
 #include "timing/timing.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /* Meshes of the command line: files, or names in the folder $TRIBOX_MESHES. */
 enum { MESH_LIST_MAX = 64 };
 typedef struct mesh_list {
@@ -103,9 +99,5 @@ bool asked_verify(asked *q, const char *name, const contestant *list, size_t cou
 
 /* Zeros that were touched, from a cache line on. Ends the program if there is no memory. */
 void *asked_allocate(size_t count, size_t size);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

@@ -4,10 +4,6 @@
 
 #include "timing/timing.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 typedef struct scene {
     const char *name;
     const char *what; /* in a few words, for reports */
@@ -28,9 +24,5 @@ bool scene_find(const char *name, size_t *index);
 bool scene_make(size_t index, uint64_t seed, scene *made);
 
 void scene_free(scene *made);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

@@ -13,10 +13,6 @@
 #include "paper/random.h"
 #include "tribox.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /* ---- work: soups, each with a box, tested one after the other. A scene is one such job, the leaves of an octree many --------- */
 
 /* One soup and one box, each twice over: as tribox and as the paper's test want them. */
@@ -189,9 +185,5 @@ size_t measure_wins(const samples *taken, size_t of, size_t to);
 
 /* How many have a median more than 10 % above their least: a quiet machine repeats a contestant to a few percent. */
 size_t measure_disturbed(const samples *taken);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif
