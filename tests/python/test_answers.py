@@ -123,8 +123,8 @@ def cells_of_lists(a):
     return cells
 
 
-def ids_of_bricks(a):
-    bricks = tribox.bricks(a.form, a.grid, side=8, ids=True, threads=2)
+def ids_of_bricks(a, side):
+    bricks = tribox.bricks(a.form, a.grid, side=side, ids=True, threads=2)
     cells = bricks.cells()
     order = np.lexsort(cells.T)
     return bricks.ids[order][in_window(cells[order])]
@@ -164,7 +164,7 @@ CELLS = [
     ("windowThin", lambda a: voxels(a, window=WINDOW, thin=True)),
     ("windowIds", lambda a: voxels(a, window=WINDOW, ids=True).ids),
     ("windowIds", lambda a: voxels(a, window=WINDOW, ids=True, threads=2).ids),
-    ("windowIds", ids_of_bricks),
+    *(("windowIds", lambda a, side=side: ids_of_bricks(a, side)) for side in (8, 24)),
     ("windowCounts", lambda a: window_of_lists(a)[0]),
     ("window", lambda a: window_of_lists(a, threads=2)[1]),
 ]
