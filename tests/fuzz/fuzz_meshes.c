@@ -10,7 +10,6 @@
 
 #include "ensure.h"
 #include "lines.h"
-#include "read/mesh_ways.h"
 #include "same_mesh.h"
 
 static const char *const endings[] = {"ply", "obj", "stl", "off"};

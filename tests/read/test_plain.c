@@ -15,7 +15,7 @@
 #include <cmocka.h>
 
 #include "console/message.h"
-#include "read/mesh_ways.h"
+#include "read/mesh.h"
 #include "same_mesh.h"
 
 static char folder[] = "/tmp/tribox-plain-XXXXXX";

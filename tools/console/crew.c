@@ -2,6 +2,7 @@
 #include "crew.h"
 
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "message.h"
@@ -96,6 +97,29 @@ void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void 
         pthread_cond_wait(&c.left, &lock);
     pthread_mutex_unlock(&lock);
     pthread_cond_destroy(&c.left);
+}
+
+typedef struct turns {
+    bool (*work)(void *data, unsigned thread, size_t n);
+    void *data;
+    size_t count;
+    atomic_size_t next;
+    atomic_bool is_failed;
+} turns;
+
+static void take_turns(void *data, unsigned thread)
+{
+    turns *const t = data;
+    for (size_t n; !t->is_failed && (n = atomic_fetch_add(&t->next, 1)) < t->count;)
+        if (!t->work(t->data, thread, n))
+            t->is_failed = true;
+}
+
+bool crew_turns(unsigned threads, size_t count, bool (*work)(void *data, unsigned thread, size_t n), void *data)
+{
+    turns t = {.work = work, .data = data, .count = count};
+    crew_run(threads < count ? threads : (unsigned)count, take_turns, &t);
+    return !t.is_failed;
 }
 
 /* A step that was begun, by what its number leaves when divided by the places. */

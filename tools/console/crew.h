@@ -15,6 +15,12 @@
 void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void *data);
 
 /*
+ * Calls work(data, thread, n) for each n from 0 to count - 1, rising, as threads become free; after one has returned false no more
+ * are begun. Returns whether all returned true.
+ */
+bool crew_turns(unsigned threads, size_t count, bool (*work)(void *data, unsigned thread, size_t n), void *data);
+
+/*
  * A work in steps, which threads begin one after the other as they become free. A place is what a step works with and leaves its
  * answer in: as many are made as are at work at once.
  */

@@ -5,11 +5,8 @@
 #include <stdlib.h>
 
 #include "console/message.h"
-#include "mesh_doubles.h"
 #include "mesh_kind.h"
 #include "mesh_look.h"
-#include "mesh_triangles.h"
-#include "mesh_ways.h"
 #include "plain.h"
 #include "read_by_assimp.h"
 #include "scan.h"

@@ -52,8 +52,8 @@ int mesh_make_room(const char *path, uint64_t count, mesh *m);
 /* The same in silence: for at least one triangle. Returns false where there is no memory. */
 bool mesh_take_room(uint64_t count, mesh *m);
 
-/* Makes room for at least a block more. What the header of a stream promises is not believed. Returns an exit_code. */
-int mesh_more_room(const char *name, mesh *m);
+/* Makes room for more floats than there is, and keeps those that are there. False without memory. */
+bool mesh_grow(uint64_t count, mesh *m);
 
 /* Where triangle `first` goes: x of the three vertices, then y, then z. */
 void mesh_streams(const mesh *m, size_t first, float *to[9]);
@@ -63,6 +63,19 @@ void mesh_drop_floats(mesh *m);
 
 /* Makes it a mesh of doubles. Memory for free() goes over to it; corners: NULL for 0, 1, 2, ... */
 void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m);
+
+/* Rounds the doubles to floats, in place, after the origin is subtracted, and counts those that this has moved. */
+void mesh_round(const double origin[3], mesh *m);
+
+/* Reads all triangles of an open file into an empty mesh, a regular one by threads. Returns an exit_code. */
+int mesh_read_triangles(triangle_file *file, unsigned threads, mesh *m);
+
+/*
+ * The two ways to read a whole file, which tests compare. The fast one returns false, with nothing said and nothing to be freed,
+ * where the file is not plain (plain.h); the other knows every spelling, and says what is wrong with a file.
+ */
+bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t part_bytes, mesh *m);
+int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m);
 
 /* The bounds of its finite triangles; false where there are none. */
 static inline bool mesh_bounds(const mesh *m, tribox_box *bounds)

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <pthread.h>
 
-#include "turns.h"
+#include "console/crew.h"
 
 enum { LANES = 8, BLOCK = 4096 };
 
@@ -91,14 +91,29 @@ void mesh_look_at(const mesh *m, size_t first, size_t count, mesh_look *look)
     look_at_each(m, first + done, count - done, look);
 }
 
-void mesh_look_join(const mesh_look *part, mesh_look *all)
+void mesh_look_add(const mesh *m, size_t first, size_t count, mesh_look *all)
 {
-    all->not_finite += part->not_finite;
-    all->first = part->first < all->first ? part->first : all->first;
-    for (int a = 0; a < 3 && part->bounds.lo[0] <= part->bounds.hi[0]; a++) {
-        add_number(part->bounds.lo[a], a, &all->bounds);
-        add_number(part->bounds.hi[a], a, &all->bounds);
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; /* of `all`, whichever it is */
+    mesh_look own = mesh_look_none();
+    mesh_look_at(m, first, count, &own);
+    pthread_mutex_lock(&lock);
+    all->not_finite += own.not_finite;
+    all->first = own.first < all->first ? own.first : all->first;
+    for (int a = 0; a < 3 && own.bounds.lo[0] <= own.bounds.hi[0]; a++) {
+        add_number(own.bounds.lo[a], a, &all->bounds);
+        add_number(own.bounds.hi[a], a, &all->bounds);
     }
+    pthread_mutex_unlock(&lock);
+}
+
+bool mesh_look_put(const tribox_mesh *from, size_t first, mesh *m, mesh_look *all)
+{
+    float *to[9];
+    mesh_streams(m, first, to);
+    if (tribox_mesh_to_soup(from, NULL, 0, from->count, NULL, to, to + 3, to + 6))
+        return false;
+    mesh_look_add(m, first, from->count, all);
+    return true;
 }
 
 /* 0 and -0 are equal, and which of them comes first in the mesh is what counts, whichever thread met it. */
@@ -129,28 +144,21 @@ void mesh_look_keep(const mesh_look *all, mesh *m)
 
 typedef struct looking {
     const mesh *m;
-    pthread_mutex_t lock; /* of what follows */
     mesh_look all;
 } looking;
 
-static bool look_in_turn(void *data, unsigned thread, size_t turn)
+static bool look_at_block(void *data, unsigned thread, size_t n)
 {
     looking *const l = data;
     (void)thread;
-    const size_t first = turn * BLOCK, left = l->m->triangles - first;
-    mesh_look own = mesh_look_none();
-    mesh_look_at(l->m, first, left < BLOCK ? left : BLOCK, &own);
-    pthread_mutex_lock(&l->lock);
-    mesh_look_join(&own, &l->all);
-    pthread_mutex_unlock(&l->lock);
+    const size_t first = n * BLOCK, left = l->m->triangles - first;
+    mesh_look_add(l->m, first, left < BLOCK ? left : BLOCK, &l->all);
     return true;
 }
 
 void mesh_look_all(unsigned threads, mesh *m)
 {
     looking l = {.m = m, .all = mesh_look_none()};
-    pthread_mutex_init(&l.lock, NULL);
-    turns_run(threads, (m->triangles + BLOCK - 1) / BLOCK, look_in_turn, &l);
-    pthread_mutex_destroy(&l.lock);
+    crew_turns(threads, (m->triangles + BLOCK - 1) / BLOCK, look_at_block, &l);
     mesh_look_keep(&l.all, m);
 }

@@ -1,12 +1,13 @@
-/* mesh_room.c - the room for triangles as floats, on large pages: nine streams, one after the other. */
+/* mesh_room.c - the forms of a mesh: floats on large pages, nine streams one after the other; and doubles, which become floats. */
+#include "mesh.h"
+
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console/message.h"
 #include "console/pages.h"
-#include "double_triangles.h"
-#include "mesh.h"
 
 enum { TRIANGLE_BYTES = 9 * sizeof(float) };
 
@@ -42,20 +43,16 @@ int mesh_make_room(const char *path, uint64_t count, mesh *m)
     return mesh_take_room(count, m) ? EXIT_CODE_OK : message_failure("%s: out of memory for %" PRIu64 " triangles", path, count);
 }
 
-int mesh_more_room(const char *name, mesh *m)
+bool mesh_grow(uint64_t count, mesh *m)
 {
-    uint64_t capacity;
-    const int code = triangles_more_room(name, m->soup.count, m->capacity, TRIANGLE_BYTES, &capacity);
-    if (code)
-        return code;
-    float *const grown = pages_take((size_t)capacity * TRIANGLE_BYTES);
-    if (!grown)
-        return message_failure("%s: out of memory after %zu triangles", name, m->soup.count);
+    mesh grown = {.soup.count = m->soup.count};
+    if (!mesh_take_room(count, &grown))
+        return false;
     for (size_t k = 0; k < 9 && m->soup.count; k++)
-        memcpy(grown + k * capacity, m->coordinates + k * m->capacity, m->soup.count * sizeof *grown);
+        memcpy(grown.coordinates + k * grown.capacity, m->coordinates + k * m->capacity, m->soup.count * sizeof(float));
     pages_free(m->coordinates, m->capacity * TRIANGLE_BYTES);
-    point_streams(grown, (size_t)capacity, m);
-    return EXIT_CODE_OK;
+    point_streams(grown.coordinates, grown.capacity, m);
+    return true;
 }
 
 void mesh_drop_floats(mesh *m)
@@ -73,4 +70,41 @@ void mesh_free(mesh *m)
     free(m->corners);
     free(m->opened);
     *m = (mesh){.coordinates = NULL};
+}
+
+void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m)
+{
+    mesh_drop_floats(m);
+    m->positions = positions;
+    m->corners = corners;
+    m->is_double = true;
+    m->triangles = triangles;
+    m->doubles = (tribox_mesh){.positions = positions,
+                               .vertices = vertices,
+                               .indices = corners,
+                               .index_bytes = sizeof *corners,
+                               .count = triangles,
+                               .position_bytes = sizeof *positions};
+}
+
+/* Number i of the floats ends before number i + 1 of the doubles begins. */
+static double round_number(unsigned char *bytes, size_t i, double origin)
+{
+    double number;
+    memcpy(&number, bytes + i * sizeof number, sizeof number);
+    const double relative = number - origin;
+    const float nearest = (float)relative;
+    memcpy(bytes + i * sizeof nearest, &nearest, sizeof nearest);
+    return isfinite(nearest) ? fabs(relative - (double)nearest) : 0;
+}
+
+void mesh_round(const double origin[3], mesh *m)
+{
+    for (size_t v = 0; v < m->doubles.vertices; v++) {
+        double most = 0;
+        for (size_t a = 0; a < 3; a++)
+            most = fmax(most, round_number(m->positions, 3 * v + a, origin[a]));
+        m->rounded += most > 0;
+        m->moved = fmax(m->moved, most);
+    }
 }

@@ -7,7 +7,6 @@
 
 #include "console/message.h"
 #include "console/numbers.h"
-#include "mesh_doubles.h"
 #include "mesh_look.h"
 
 int mesh_shift_read(const char *text, mesh_shift *shift)

@@ -1,13 +1,13 @@
-/* mesh_triangles.c - reads files of triangles block by block; where the length is known, threads take blocks in turn. */
-#include "mesh_triangles.h"
+/* mesh_triangles.c - reads files of triangles, binary STL or raw, in blocks; where the length is known, threads take them in turn. */
+#include "mesh.h"
 
 #include <inttypes.h>
 #include <pthread.h>
 #include <stdlib.h>
 
 #include "console/crew.h"
+#include "console/memory.h"
 #include "console/message.h"
-#include "double_triangles.h"
 #include "mesh_look.h"
 #include "reading.h"
 
@@ -30,7 +30,7 @@ static bool find_block(reading *r, triangle_block *block)
     return is_there;
 }
 
-static int read_found(const reading *r, triangle_block *block, mesh_look *look)
+static int read_found(reading *r, triangle_block *block)
 {
     const size_t first = (size_t)block->first;
     float *to[9];
@@ -39,25 +39,23 @@ static int read_found(const reading *r, triangle_block *block, mesh_look *look)
     mesh_streams(r->m, first, to);
     const int code = triangle_file_unpack(r->file, block, to, NULL);
     if (!code)
-        mesh_look_at(r->m, first, block->count, look);
+        mesh_look_add(r->m, first, block->count, &r->look);
     return code;
 }
 
 static void read_blocks(void *data, unsigned thread)
 {
     reading *const r = data;
-    mesh_look own = mesh_look_none();
     (void)thread;
     triangle_block block = {.bytes = malloc(TRIANGLE_BLOCK_BYTES)};
     int code = block.bytes ? EXIT_CODE_OK : message_failure("%s: out of memory", r->file->name);
     while (!code && find_block(r, &block)) {
-        code = read_found(r, &block, &own);
+        code = read_found(r, &block);
         reading_tell((double)block.first / (double)r->file->promised);
     }
     free(block.bytes);
     pthread_mutex_lock(&r->lock);
     r->code = code ? code : r->code;
-    mesh_look_join(&own, &r->look);
     pthread_mutex_unlock(&r->lock);
 }
 
@@ -105,36 +103,52 @@ static int read_sized(triangle_file *file, unsigned threads, mesh *m)
     return r.code;
 }
 
-static int read_floats(triangle_file *file, mesh *m)
+/* Room for a block more at least. What the header of a stream promises is not believed. */
+static int more_room(const char *name, bool is_double, size_t *room, mesh *m)
 {
-    int code = EXIT_CODE_OK;
-    for (size_t count = 1; !code && count; m->soup.count += code ? 0 : count) {
-        float *to[9];
-        if (m->capacity - m->soup.count < TRIANGLE_BLOCK)
-            code = mesh_more_room(file->name, m);
-        if (code)
-            break;
-        mesh_streams(m, m->soup.count, to);
-        code = triangle_file_next(file, to, &count);
-    }
-    m->triangles = m->soup.count;
-    return code || m->soup.count ? code : message_failure("%s: contains no triangles", file->name);
+    const size_t bytes = is_double ? sizeof(double[9]) : sizeof(float[9]), count = m->triangles;
+    const uint64_t more = *room ? 2 * (uint64_t)*room : 16 * TRIANGLE_BLOCK, needed = more * bytes, available = memory_available();
+    char needed_text[16], available_text[16];
+    if (needed > available || needed > SIZE_MAX)
+        return message_failure("%s: after %zu triangles the next take %s of memory and %s are available; save the mesh as a file, "
+                               "which takes less",
+                               name, count, memory_text(needed, needed_text), memory_text(available, available_text));
+    double *const positions = is_double ? realloc(m->positions, (size_t)needed) : NULL;
+    if (is_double ? !positions : !mesh_grow(more, m))
+        return message_failure("%s: out of memory after %zu triangles", name, count);
+    m->positions = positions;
+    *room = (size_t)more;
+    return EXIT_CODE_OK;
 }
 
-static int read_doubles(triangle_file *file, mesh *m)
+static int read_stream(triangle_file *file, mesh *m)
 {
-    double_triangles found;
-    const int code = double_triangles_read(file, &found);
-    if (!code)
-        mesh_set_doubles(found.positions, 3 * found.count, NULL, found.count, m);
-    return code;
+    const bool is_double = file->format == TRIANGLES_F64;
+    size_t room = 0, count = 1;
+    int code = EXIT_CODE_OK;
+    while (!code && count) {
+        float *to[9];
+        if (room - m->triangles < TRIANGLE_BLOCK)
+            code = more_room(file->name, is_double, &room, m);
+        if (code)
+            break;
+        if (!is_double)
+            mesh_streams(m, m->triangles, to);
+        code = is_double ? triangle_file_next_doubles(file, (double *)m->positions + 9 * m->triangles, &count)
+                         : triangle_file_next(file, to, &count);
+        m->triangles += count;
+        m->soup.count = is_double ? 0 : m->triangles;
+    }
+    if (!code && is_double)
+        mesh_set_doubles(m->positions, 3 * m->triangles, NULL, m->triangles, m);
+    return code || m->triangles ? code : message_failure("%s: contains no triangles", file->name);
 }
 
 int mesh_read_triangles(triangle_file *file, unsigned threads, mesh *m)
 {
     if (file->is_sized)
         return read_sized(file, threads, m);
-    const int code = file->format == TRIANGLES_F64 ? read_doubles(file, m) : read_floats(file, m);
+    const int code = read_stream(file, m);
     if (!code)
         mesh_look_all(threads, m);
     return code;

@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "mesh.h"
+#include "ply_header.h"
 #include "whole_file.h"
 
 /* Of a text, for each thread at a time: they stay in its cache. Tests take fewer. */
@@ -30,5 +31,8 @@ void plain_file_close(plain_file *file);
 /* Each reads an empty mesh, or returns false and says nothing: then mesh_free may follow. */
 typedef bool plain_reader(const plain_file *file, mesh *m);
 plain_reader plain_ply, plain_obj, plain_stl;
+
+/* PLY as text, of a file that has vertices, then faces, and nothing else. */
+bool plain_ply_text(const plain_file *file, const ply_header *header, mesh *m);
 
 #endif

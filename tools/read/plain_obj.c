@@ -4,8 +4,6 @@
 #include "text_parts.h"
 #include "text_pieces.h"
 
-static bool ends_word(char c) { return text_is_blank(c) || c == '\r' || c == '\n'; }
-
 /* Where no '\r' ends a line before that, and no backslash joins it with the next. */
 static const char *skip_line(const char *c, const char *limit)
 {
@@ -22,7 +20,7 @@ static const char *read_vertex(const char *c, const char *limit, text_piece *pie
     double *const position = piece->positions + 3 * piece->vertices;
     for (int a = 0; a < 3; a++) {
         c = written_number_scan(text_skip_blanks(c), &position[a], &piece->fit);
-        if (!c || !ends_word(*c))
+        if (!c || !text_ends_word(*c))
             return NULL;
     }
     piece->vertices++;
@@ -59,7 +57,7 @@ static const char *read_face(const char *c, text_piece *piece)
     const size_t before = piece->corner_count;
     for (c = text_skip_blanks(c); c && *c != '\n' && *c != '\r'; c = c ? text_skip_blanks(c) : NULL) {
         c = read_corner(c, piece);
-        if (c && !ends_word(*c))
+        if (c && !text_ends_word(*c))
             return NULL;
     }
     if (!c || piece->corner_count == before)

@@ -1,18 +1,16 @@
 /* plain_ply_binary.c - binary PLY files of triangles: threads take blocks of vertices in turn, then of faces. */
-#include <pthread.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console/crew.h"
+#include "console/message.h"
 #include "console/pages.h"
-#include "console/steps.h"
 #include "files/named_file.h"
 #include "little.h"
 #include "mesh_look.h"
-#include "plain_ply.h"
-#include "ply_header.h"
+#include "plain.h"
 #include "reading.h"
 
 typedef struct ply_records {
@@ -154,63 +152,23 @@ typedef struct ply_binary {
     ply_records records;
     float *positions;
     mesh *m;
-    unsigned threads;
     size_t block; /* faces of one */
-    steps vertices, faces;
-    pthread_mutex_t lock; /* of what follows */
     mesh_look look;
-    bool is_failed;
 } ply_binary;
-
-static bool goes_on(ply_binary *p)
-{
-    pthread_mutex_lock(&p->lock);
-    const bool is_failed = p->is_failed;
-    pthread_mutex_unlock(&p->lock);
-    return !is_failed;
-}
-
-static void fail(ply_binary *p)
-{
-    pthread_mutex_lock(&p->lock);
-    p->is_failed = true;
-    pthread_mutex_unlock(&p->lock);
-}
-
-/* Returns when all threads are here. */
-static void run_steps(ply_binary *p, steps *s, bool (*work)(ply_binary *p, size_t step))
-{
-    for (size_t n; steps_take(s, &n); steps_done(s))
-        if (goes_on(p) && !work(p, n))
-            fail(p);
-    steps_wait(s);
-}
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 
-static bool take_vertices(ply_binary *p, size_t step)
+static bool take_vertices(void *data, unsigned thread, size_t step)
 {
+    ply_binary *const p = data;
     const size_t first = step * BLOCK, count = least(BLOCK, p->records.vertices - first);
+    (void)thread;
     return ply_records_vertices(&p->records, p->file->stream, first, count, p->positions);
 }
 
-static bool store(ply_binary *p, const tribox_mesh *block, size_t first)
+static bool take_faces(void *data, unsigned thread, size_t step)
 {
-    float *to[9];
-    mesh_look own = mesh_look_none();
-    mesh_streams(p->m, first, to);
-    if (tribox_mesh_to_soup(block, NULL, 0, block->count, NULL, to, to + 3, to + 6))
-        return false;
-    mesh_look_at(p->m, first, block->count, &own);
-    pthread_mutex_lock(&p->lock);
-    mesh_look_join(&own, &p->look);
-    pthread_mutex_unlock(&p->lock);
-    reading_tell((double)first / (double)p->records.faces);
-    return true;
-}
-
-static bool take_faces(ply_binary *p, size_t step)
-{
+    ply_binary *const p = data;
     const size_t first = step * p->block, count = least(p->block, p->records.faces - first);
     uint32_t *const corners = malloc(count * sizeof(uint32_t[3]));
     const tribox_mesh block = {.positions = p->positions,
@@ -218,60 +176,53 @@ static bool take_faces(ply_binary *p, size_t step)
                                .indices = corners,
                                .index_bytes = sizeof *corners,
                                .count = count};
-    const bool is_taken =
-        corners && ply_records_faces(&p->records, p->file->stream, first, count, corners) && store(p, &block, first);
+    (void)thread;
+    const bool is_taken = corners && ply_records_faces(&p->records, p->file->stream, first, count, corners) &&
+                          mesh_look_put(&block, first, p->m, &p->look);
+    reading_tell((double)first / (double)p->records.faces);
     free(corners);
     return is_taken;
 }
 
-static void read_in_crew(void *data, unsigned thread)
-{
-    ply_binary *const p = data;
-    (void)thread;
-    run_steps(p, &p->vertices, take_vertices);
-    run_steps(p, &p->faces, take_faces);
-}
-
 static bool read_all(ply_binary *p)
 {
-    mesh *const m = p->m;
-    if (!mesh_take_room(p->records.faces, m))
+    const size_t vertices = p->records.vertices, faces = p->records.faces, gaining = 1 + faces / STARTED;
+    const unsigned threads = (unsigned)least(p->file->threads, gaining);
+    const size_t block = faces / (BLOCKS_EACH * threads);
+    p->block = block < BLOCK_LEAST ? BLOCK_LEAST : least(block, BLOCK);
+    if (!mesh_take_room(faces, p->m))
         return false;
     reading_begin();
-    crew_run(p->threads, read_in_crew, p);
+    const bool is_read = crew_turns(threads, (vertices + BLOCK - 1) / BLOCK, take_vertices, p) &&
+                         crew_turns(threads, (faces + p->block - 1) / p->block, take_faces, p);
     reading_end();
-    m->triangles = m->soup.count = p->records.faces;
-    m->first_not_finite = m->triangles;
-    if (!p->is_failed)
-        mesh_look_keep(&p->look, m);
-    return !p->is_failed;
+    p->m->triangles = p->m->soup.count = faces;
+    if (is_read)
+        mesh_look_keep(&p->look, p->m);
+    return is_read;
 }
 
-static void share_out(ply_binary *p)
-{
-    const size_t faces = p->records.faces, gaining = 1 + faces / STARTED;
-    p->threads = (unsigned)least(p->file->threads, gaining);
-    const size_t block = faces / (BLOCKS_EACH * p->threads);
-    p->block = block < BLOCK_LEAST ? BLOCK_LEAST : least(block, BLOCK);
-}
-
-bool plain_ply_binary(const plain_file *file, const ply_header *h, mesh *m)
+static bool plain_ply_binary(const plain_file *file, const ply_header *h, mesh *m)
 {
     ply_binary p = {.file = file, .m = m, .look = mesh_look_none()};
     if (!ply_records_of(h, file->size, &p.records))
         return false;
     const size_t vertices = p.records.vertices, bytes = vertices * sizeof(float[3]);
     p.positions = vertices <= SIZE_MAX / sizeof(float[3]) ? pages_take(bytes) : NULL;
-    if (!p.positions)
-        return false;
-    share_out(&p);
-    pthread_mutex_init(&p.lock, NULL);
-    steps_start(&p.vertices, (vertices + BLOCK - 1) / BLOCK);
-    steps_start(&p.faces, (p.records.faces + p.block - 1) / p.block);
-    const bool is_read = read_all(&p);
-    steps_free(&p.faces);
-    steps_free(&p.vertices);
-    pthread_mutex_destroy(&p.lock);
+    const bool is_read = p.positions && read_all(&p);
     pages_free(p.positions, bytes);
     return is_read;
+}
+
+bool plain_ply(const plain_file *file, mesh *m)
+{
+    ply_header h;
+    if (ply_header_read(NULL, &file->head, &h) != EXIT_CODE_OK || h.element_count < 2)
+        return false;
+    if (h.elements[0].kind != PLY_VERTICES || h.elements[1].kind != PLY_FACES || h.elements[0].count > UINT32_MAX)
+        return false;
+    for (int i = 2; i < h.element_count; i++)
+        if (h.elements[i].count)
+            return false;
+    return h.format == PLY_ASCII ? plain_ply_text(file, &h, m) : plain_ply_binary(file, &h, m);
 }

@@ -1,7 +1,6 @@
 /*
  * plain_ply_text.c - PLY files as text: a line for each vertex, then a line for each face that begins with the list of its corners.
  */
-#include "plain_ply.h"
 #include "text_parts.h"
 #include "text_pieces.h"
 
@@ -10,14 +9,12 @@ typedef struct ply_text {
     const ply_element *vertices, *faces;
 } ply_text;
 
-static bool is_end(char c) { return text_is_blank(c) || c == '\r' || c == '\n'; }
-
 static const char *skip_word(const char *c)
 {
     const char *const first = c;
     while ((unsigned char)*c > ' ')
         c++;
-    return c > first && is_end(*c) ? c : NULL;
+    return c > first && text_ends_word(*c) ? c : NULL;
 }
 
 static const char *take_coordinate(const char *c, const ply_property *property, text_piece *piece)
@@ -27,7 +24,7 @@ static const char *take_coordinate(const char *c, const ply_property *property, 
     c = written_number_scan(c, number, property->type == PLY_DOUBLE ? &own : &piece->fit);
     if (property->type == PLY_DOUBLE && c && float_fit_of(*number) > piece->fit)
         piece->fit = FLOAT_FIT_NONE;
-    return c && is_end(*c) ? c : NULL;
+    return c && text_ends_word(*c) ? c : NULL;
 }
 
 static const char *read_vertex(const char *c, const ply_text *p, text_piece *piece)
@@ -46,7 +43,7 @@ static const char *take_whole(const char *c, uint64_t most, uint32_t *number)
     uint64_t found = 0;
     const char *const first = text_skip_blanks(c), *const end = digits_scan(first, &found);
     *number = (uint32_t)found;
-    return end > first && end <= first + 10 && found <= most && is_end(*end) ? end : NULL;
+    return end > first && end <= first + 10 && found <= most && text_ends_word(*end) ? end : NULL;
 }
 
 static const char *read_face(const char *c, const ply_text *p, text_piece *piece)

@@ -1,5 +1,5 @@
 /* plain_stl.c - STL files as text in lower case. Parts of them begin with a facet, and memory is that of the mesh. */
-#include <pthread.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,11 +16,10 @@ typedef struct stl_text {
     size_t room; /* triangles at most */
     /* of the parts that are passed */
     size_t triangles;
-    uint64_t end;         /* in the file */
-    bool is_inside;       /* a solid, there */
-    pthread_mutex_t lock; /* of what follows */
+    uint64_t end;   /* in the file */
+    bool is_inside; /* a solid, there */
     mesh_look look;
-    bool needs_doubles;
+    atomic_bool needs_doubles;
 } stl_text;
 
 /* What a part has: the facets that begin there, but for those before the first that begins a line. */
@@ -30,11 +29,9 @@ typedef struct stl_piece {
     bool is_inside;      /* a solid, where it ends */
 } stl_piece;
 
-static bool is_space(char c) { return text_is_blank(c) || c == '\n' || c == '\r'; }
-
 static const char *skip_space(const char *c)
 {
-    while (is_space(*c))
+    while (text_ends_word(*c))
         c++;
     return c;
 }
@@ -44,7 +41,7 @@ static const char *expect(const char *c, const char *word)
 {
     const size_t length = strlen(word);
     c = c ? skip_space(c) : NULL;
-    return c && !memcmp(c, word, length) && is_space(c[length]) ? c + length : NULL;
+    return c && !memcmp(c, word, length) && text_ends_word(c[length]) ? c + length : NULL;
 }
 
 /* The bytes of a word before a blank or another character up to it, eight at once: what is carried comes after that. */
@@ -63,7 +60,7 @@ static const char *skip_words(const char *c, int count)
     for (; c && count; count--) {
         const char *const first = skip_space(c);
         c = skip_word(first);
-        if (c == first || !is_space(*c))
+        if (c == first || !text_ends_word(*c))
             return NULL;
     }
     return c;
@@ -86,7 +83,7 @@ static inline const char *read_vertex(const char *c, text_piece *piece)
     c = expect(c, "vertex");
     for (int a = 0; c && a < 3; a++) {
         c = written_number_scan(skip_space(c), &position[a], &piece->fit);
-        c = c && is_space(*c) ? c : NULL;
+        c = c && text_ends_word(*c) ? c : NULL;
     }
     piece->vertices++;
     return c;
@@ -106,7 +103,7 @@ static const char *find_facet(const char *c, const char *limit)
 {
     while (c && c < limit) {
         const char *const word = text_skip_blanks(c);
-        if (!memcmp(word, "facet", 5) && is_space(word[5]))
+        if (!memcmp(word, "facet", 5) && text_ends_word(word[5]))
             return word;
         c = memchr(c, '\n', (size_t)(limit - c));
         c = c ? c + 1 : NULL;
@@ -137,14 +134,6 @@ static const char *read_items(const char *c, const text_part *part, bool *is_ins
     }
 }
 
-static bool need_doubles(stl_text *s)
-{
-    pthread_mutex_lock(&s->lock);
-    s->needs_doubles = true;
-    pthread_mutex_unlock(&s->lock);
-    return false;
-}
-
 /* A piece has to begin where the one before it ends, in a solid. */
 static bool join_piece(stl_text *s, text_part *part, stl_piece *piece)
 {
@@ -164,21 +153,11 @@ static bool place_piece(stl_text *s, const text_piece *found, const stl_piece *p
 {
     const tribox_mesh all = {
         .positions = found->positions, .vertices = found->vertices, .count = piece->triangles, .position_bytes = sizeof(double)};
-    mesh_look own = mesh_look_none();
-    float *to[9];
     if (!piece->triangles)
         return true;
-    if (s->are_doubles) {
-        memcpy((double *)s->m->positions + 9 * piece->first, found->positions, piece->triangles * sizeof(double[9]));
-        return true;
-    }
-    mesh_streams(s->m, piece->first, to);
-    if (tribox_mesh_to_soup(&all, NULL, 0, piece->triangles, NULL, to, to + 3, to + 6))
-        return false;
-    mesh_look_at(s->m, piece->first, piece->triangles, &own);
-    pthread_mutex_lock(&s->lock);
-    mesh_look_join(&own, &s->look);
-    pthread_mutex_unlock(&s->lock);
+    if (!s->are_doubles)
+        return mesh_look_put(&all, piece->first, s->m, &s->look);
+    memcpy((double *)s->m->positions + 9 * piece->first, found->positions, piece->triangles * sizeof(double[9]));
     return true;
 }
 
@@ -196,8 +175,10 @@ static bool read_part(void *data, unsigned thread, text_part *part)
     piece.begin = part->offset + (uint64_t)(begin - part->begin);
     piece.end = part->offset + (uint64_t)(end - part->begin);
     piece.triangles = found->vertices / 3;
-    if (!s->are_doubles && found->fit == FLOAT_FIT_NONE)
-        return need_doubles(s);
+    if (!s->are_doubles && found->fit == FLOAT_FIT_NONE) {
+        s->needs_doubles = true;
+        return false;
+    }
     return join_piece(s, part, &piece) && place_piece(s, found, &piece);
 }
 
@@ -232,10 +213,8 @@ static void end_mesh(unsigned threads, stl_text *s)
 static bool read_as(const plain_file *file, bool are_doubles, bool *needs_doubles, mesh *m)
 {
     stl_text s = {.are_doubles = are_doubles, .m = m, .look = mesh_look_none()};
-    pthread_mutex_init(&s.lock, NULL);
     const bool is_read = text_pieces_make(file, 0, &s.scratches) && make_room(file, &s) &&
                          text_parts_run(file, 0, TEXT_IN_ORDER, read_part, &s) && !s.is_inside && s.triangles;
-    pthread_mutex_destroy(&s.lock);
     text_pieces_free(&s.scratches);
     *needs_doubles = s.needs_doubles;
     if (is_read)

@@ -5,10 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "console/processors.h"
+#include "console/crew.h"
 #include "files/named_file.h"
 #include "reading.h"
-#include "turns.h"
 
 typedef struct text_run {
     const plain_file *file;
@@ -146,7 +145,7 @@ bool text_parts_run(const plain_file *file, uint64_t from, text_order order, tex
     pthread_mutex_init(&r.lock, NULL);
     pthread_cond_init(&r.is_passed, NULL);
     reading_begin();
-    const bool is_done = turns_run(file->threads, r.count, work_on_part, &r);
+    const bool is_done = crew_turns(file->threads, r.count, work_on_part, &r);
     reading_end();
     pthread_cond_destroy(&r.is_passed);
     pthread_mutex_destroy(&r.lock);

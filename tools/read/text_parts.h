@@ -44,6 +44,8 @@ void text_part_pass(text_part *part);
 
 static inline bool text_is_blank(char c) { return c == ' ' || c == '\t'; }
 
+static inline bool text_ends_word(char c) { return text_is_blank(c) || c == '\r' || c == '\n'; }
+
 static inline const char *text_skip_blanks(const char *c)
 {
     while (text_is_blank(*c))

@@ -13,7 +13,7 @@ command -v ccache >/dev/null && cc="ccache $cc"
 {
     echo "$here/read.c"
     echo "$root/src/base/status.c"
-    for name in decimal memory numbers steps written_number; do echo "$root/tools/console/$name.c"; done
+    for name in decimal memory numbers written_number; do echo "$root/tools/console/$name.c"; done
     find "$root/tools/read" -name '*.c' ! -name 'assimp_part.c' ! -name 'read_by_assimp.c' ! -name boxes.c ! -name reading.c \
         ! -name mesh_shift.c ! -name mesh_warn.c
 } | awk '{ printf "%03d.o %s\n", NR, $0 }' |

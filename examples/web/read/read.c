@@ -153,3 +153,12 @@ void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void 
     (void)threads;
     work(data, 0);
 }
+
+bool crew_turns(unsigned threads, size_t count, bool (*work)(void *data, unsigned thread, size_t n), void *data)
+{
+    size_t n = 0;
+    (void)threads;
+    while (n < count && work(data, 0, n))
+        n++;
+    return n == count;
+}
