@@ -9,8 +9,55 @@
 #include "console/message.h"
 #include "crop_faces.h"
 #include "files/file_map.h"
-#include "kept_numbers.h"
 #include "read/scan.h"
+
+/* Numbers of vertices, some of which are kept: those get numbers from 0, in the same order. 12 bytes for 64 numbers. */
+typedef struct kept_numbers {
+    uint64_t *bits;
+    uint32_t *before; /* each word of bits: how many are kept */
+    uint64_t count, kept;
+} kept_numbers;
+
+/* Of `count` numbers none is kept yet. Returns an exit_code; kept_numbers_free may follow in any case. */
+static int kept_numbers_make(const char *path, uint64_t count, kept_numbers *k)
+{
+    const uint64_t rows = count / 64 + 1;
+    *k = (kept_numbers){.count = count};
+    if (count <= UINT32_MAX) {
+        k->bits = calloc((size_t)rows, sizeof *k->bits);
+        k->before = calloc((size_t)rows, sizeof *k->before);
+    }
+    return k->bits && k->before ? EXIT_CODE_OK
+                                : message_failure("%s: out of memory for the numbers of %" PRIu64 " vertices", path, count);
+}
+
+static void kept_numbers_free(kept_numbers *k)
+{
+    free(k->bits);
+    free(k->before);
+    *k = (kept_numbers){.bits = NULL};
+}
+
+/* To be called between the last that is added and the first that is asked for. */
+static void kept_numbers_count(kept_numbers *k)
+{
+    k->kept = 0;
+    for (uint64_t w = 0; w < k->count / 64 + 1; w++) {
+        k->before[w] = (uint32_t)k->kept;
+        k->kept += (unsigned)__builtin_popcountll(k->bits[w]);
+    }
+}
+
+/* The new number of one that is kept. */
+static uint64_t kept_numbers_new(const kept_numbers *k, uint64_t number)
+{
+    const uint64_t below = k->bits[number / 64] & ((UINT64_C(1) << number % 64) - 1);
+    return k->before[number / 64] + (unsigned)__builtin_popcountll(below);
+}
+
+static void kept_numbers_add(kept_numbers *k, uint64_t number) { k->bits[number / 64] |= UINT64_C(1) << number % 64; }
+
+static bool kept_numbers_has(const kept_numbers *k, uint64_t number) { return k->bits[number / 64] >> number % 64 & 1; }
 
 /* Lines that wait for a face, so that no empty groups are written. */
 typedef struct states {
