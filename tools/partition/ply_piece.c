@@ -17,20 +17,11 @@ typedef struct face_mark {
     uint64_t at, triangle;
 } face_mark;
 
-/* How a face lies: bytes before its list and after it, and those of the list's length and of a corner. */
-typedef struct face_layout {
-    size_t before, after, count, corner;
-} face_layout;
-
 struct ply_faces {
     file_map map;
     const char *path;
-    bool is_big, is_narrowed;
-    size_t number;  /* bytes of a coordinate in the file */
-    size_t vertex;  /* bytes of a vertex */
-    size_t axes[3]; /* where in it they are */
-    uint64_t vertices, faces, vertices_at, faces_at;
-    face_layout layout;
+    ply_layout in;
+    size_t number, count, corner; /* bytes of a coordinate, of the length of a list, and of a corner */
     face_mark *marks;
 };
 
@@ -41,43 +32,33 @@ typedef struct face {
 
 static uint64_t bits_at(const struct ply_faces *f, uint64_t at, size_t size)
 {
-    const unsigned char *const bytes = (const unsigned char *)f->map.bytes + at;
-    uint64_t bits = 0;
-    for (size_t i = 0; i < size; i++)
-        bits = bits << 8 | bytes[f->is_big ? i : size - 1 - i];
-    return bits;
+    return ply_bits((const unsigned char *)f->map.bytes + at, size, f->in.is_big);
 }
 
 /* False where the file ends before it, or it has more corners than anyone means. */
 static bool find_face(const struct ply_faces *f, uint64_t at, face *found)
 {
-    const face_layout *const l = &f->layout;
-    if (f->map.size - at < l->before + l->count)
+    if (f->map.size - at < f->in.before + f->count)
         return false;
-    found->count = bits_at(f, at + l->before, l->count);
-    found->corners_at = at + l->before + l->count;
-    if (found->count > CORNERS_MOST || (f->map.size - found->corners_at) < found->count * l->corner + l->after)
+    found->count = bits_at(f, at + f->in.before, f->count);
+    found->corners_at = at + f->in.before + f->count;
+    if (found->count > CORNERS_MOST || (f->map.size - found->corners_at) < found->count * f->corner + f->in.after)
         return false;
-    found->end = found->corners_at + found->count * l->corner + l->after;
+    found->end = found->corners_at + found->count * f->corner + f->in.after;
     return true;
 }
 
 /* False where it refers to a vertex that is not there. */
 static bool find_corner(const struct ply_faces *f, const face *one, uint64_t i, uint64_t *vertex)
 {
-    *vertex = bits_at(f, one->corners_at + i * f->layout.corner, f->layout.corner);
-    return *vertex < f->vertices;
+    *vertex = bits_at(f, one->corners_at + i * f->corner, f->corner);
+    return *vertex < f->in.vertices;
 }
 
 static double number_at(const struct ply_faces *f, uint64_t vertex, int axis)
 {
-    const uint64_t bits = bits_at(f, f->vertices_at + vertex * f->vertex + f->axes[axis], f->number);
-    const uint32_t low = (uint32_t)bits;
-    float narrow;
-    double wide;
-    memcpy(&narrow, &low, sizeof narrow);
-    memcpy(&wide, &bits, sizeof wide);
-    return f->number == sizeof narrow ? (double)narrow : wide;
+    const uint64_t bits = bits_at(f, f->in.vertices_at + vertex * f->in.vertex + f->in.axes[axis], f->number);
+    return ply_number(bits, f->in.number);
 }
 
 /* Cuts a face of more than three corners: its corners become the vertices of a mesh of its own. */
@@ -110,10 +91,10 @@ static bool check_corners(const struct ply_faces *f, const face *one)
 /* Looks at all faces once. */
 static bool mark_faces(struct ply_faces *f, ply_piece *p)
 {
-    uint64_t at = f->faces_at;
+    uint64_t at = f->in.faces_at;
     indexed_mesh polygon = {.positions = NULL};
     bool is_sound = true;
-    for (uint64_t n = 0; n < f->faces && is_sound; n++) {
+    for (uint64_t n = 0; n < f->in.faces && is_sound; n++) {
         face one;
         if (n % FACES_A_MARK == 0)
             f->marks[n / FACES_A_MARK] = (face_mark){at, p->triangles};
@@ -129,53 +110,10 @@ static bool mark_faces(struct ply_faces *f, ply_piece *p)
 static bool holds_floats(const struct ply_faces *f)
 {
     bool is_float = true;
-    for (uint64_t v = 0; v < f->vertices && is_float; v++)
+    for (uint64_t v = 0; v < f->in.vertices && is_float; v++)
         for (int a = 0; a < 3; a++)
             is_float &= float_fit_of(number_at(f, v, a)) == FLOAT_FIT_EXACT;
     return is_float;
-}
-
-/* Vertices of fixed size, whose coordinates are all floats or all doubles. */
-static bool lay_vertices(struct ply_faces *f, const ply_element *e)
-{
-    ply_type type = PLY_NONE;
-    for (int i = 0; i < e->property_count; i++) {
-        const ply_property *const p = &e->properties[i];
-        if (p->count || (p->role <= PLY_Z && type && p->type != type))
-            return false;
-        if (p->role <= PLY_Z) {
-            type = p->type;
-            f->axes[p->role] = f->vertex;
-        }
-        f->vertex += ply_type_size(p->type);
-    }
-    f->number = type ? ply_type_size(type) : 0;
-    f->vertices = e->count;
-    return e->kind == PLY_VERTICES && (type == PLY_FLOAT || type == PLY_DOUBLE);
-}
-
-static bool is_whole(ply_type type) { return type != PLY_FLOAT && type != PLY_DOUBLE && type != PLY_NONE; }
-
-/* Faces with one list; negative numbers in it are too large, and those of signed types of few bytes are not sorted out here. */
-static bool lay_faces(struct ply_faces *f, const ply_element *e)
-{
-    size_t *bytes = &f->layout.before;
-    for (int i = 0; i < e->property_count; i++) {
-        const ply_property *const p = &e->properties[i];
-        if (p->role != PLY_CORNERS && p->count)
-            return false;
-        if (p->role != PLY_CORNERS) {
-            *bytes += ply_type_size(p->type);
-            continue;
-        }
-        if (!is_whole(p->count) || !is_whole(p->type) || p->type == PLY_INT8 || p->type == PLY_INT16)
-            return false;
-        f->layout.count = ply_type_size(p->count);
-        f->layout.corner = ply_type_size(p->type);
-        bytes = &f->layout.after;
-    }
-    f->faces = e->count;
-    return e->kind == PLY_FACES && f->layout.corner;
 }
 
 /* The header alone is copied, as its reader looks for the end of a text. */
@@ -190,28 +128,26 @@ static bool read_header(struct ply_faces *f, ply_header *header)
         is_read = !memcmp(text, begin, sizeof begin - 1) && strstr(text, end) &&
                   !ply_header_read(f->path, &(whole_file){text, size}, header);
     }
-    is_read = is_read && header->format != PLY_ASCII && header->element_count == 2 && lay_vertices(f, &header->elements[0]) &&
-              lay_faces(f, &header->elements[1]);
+    is_read = is_read && header->format != PLY_ASCII && header->element_count == 2;
     free(text);
     return is_read;
 }
 
+/* Floats or doubles; negative corners are too large, and those of signed types of few bytes are not sorted out here. */
 static bool lay_out(struct ply_faces *f)
 {
+    static const bool is_corner[PLY_DOUBLE + 1] = {
+        [PLY_UINT8] = true, [PLY_UINT16] = true, [PLY_INT32] = true, [PLY_UINT32] = true};
+    ply_layout *const in = &f->in;
     ply_header *const header = malloc(sizeof *header);
-    const bool is_read = header && read_header(f, header);
-    if (is_read) {
-        f->is_big = header->format == PLY_BIG_ENDIAN;
-        f->vertices_at = header->size;
-    }
+    const bool is_read = header && read_header(f, header) && ply_layout_of(header, f->map.size, in);
     free(header);
-    if (!is_read || !f->faces || f->vertices > UINT32_MAX || f->vertices > (f->map.size - f->vertices_at) / f->vertex)
+    if (!is_read || !is_corner[in->corner] || (in->number != PLY_FLOAT && in->number != PLY_DOUBLE))
         return false;
-    f->faces_at = f->vertices_at + f->vertices * f->vertex;
-    const uint64_t least = f->layout.before + f->layout.count + f->layout.after;
-    if (f->faces > (f->map.size - f->faces_at) / least)
-        return false;
-    f->marks = malloc((size_t)((f->faces + FACES_A_MARK - 1) / FACES_A_MARK) * sizeof *f->marks);
+    f->number = ply_type_size(in->number);
+    f->count = ply_type_size(in->count);
+    f->corner = ply_type_size(in->corner);
+    f->marks = malloc((size_t)((f->in.faces + FACES_A_MARK - 1) / FACES_A_MARK) * sizeof *f->marks);
     return f->marks;
 }
 
@@ -281,7 +217,7 @@ static bool put_face(ply_sink *s, const face *one, const indexed_mesh *polygon)
 
 static uint64_t find_mark(const struct ply_faces *f, uint64_t triangle)
 {
-    uint64_t lo = 0, hi = (f->faces + FACES_A_MARK - 1) / FACES_A_MARK;
+    uint64_t lo = 0, hi = (f->in.faces + FACES_A_MARK - 1) / FACES_A_MARK;
     while (hi - lo > 1) {
         const uint64_t middle = lo + (hi - lo) / 2;
         if (f->marks[middle].triangle <= triangle)

@@ -13,62 +13,22 @@
 #include "plain.h"
 #include "reading.h"
 
+/* Vertices of floats, and faces of corners of 32 bits, all of them triangles. */
 typedef struct ply_records {
-    bool is_big;
-    uint64_t vertices_at, faces_at; /* in the file */
-    size_t vertices, vertex_bytes, axis_at[3];
-    size_t faces, face_bytes, count_at, count_bytes; /* if all faces are triangles */
+    ply_layout in;
+    size_t vertices, faces, face_bytes, count_bytes;
 } ply_records;
 
-static bool lay_out_vertex(const ply_element *e, ply_records *r)
-{
-    for (int i = 0; i < e->property_count; i++) {
-        const ply_property *const property = &e->properties[i];
-        if (property->count || (property->role <= PLY_Z && property->type != PLY_FLOAT))
-            return false;
-        if (property->role <= PLY_Z)
-            r->axis_at[property->role] = r->vertex_bytes;
-        r->vertex_bytes += ply_type_size(property->type);
-    }
-    return true;
-}
-
-static bool lay_out_face(const ply_element *e, ply_records *r)
-{
-    for (int i = 0; i < e->property_count; i++) {
-        const ply_property *const property = &e->properties[i];
-        const bool is_corners = property->role == PLY_CORNERS;
-        if (is_corners ? property->type != PLY_INT32 && property->type != PLY_UINT32 : property->count)
-            return false;
-        if (is_corners) {
-            r->count_at = r->face_bytes;
-            r->count_bytes = ply_type_size(property->count);
-        }
-        r->face_bytes += is_corners ? r->count_bytes + sizeof(uint32_t[3]) : ply_type_size(property->type);
-    }
-    return true;
-}
-
-/*
- * Finds the two elements of a binary file of `size` bytes. False where it lacks bytes that the header promises, or vertices or
- * faces, or has others than those.
- */
 static bool ply_records_of(const ply_header *h, uint64_t size, ply_records *r)
 {
-    const ply_element *const vertices = &h->elements[0], *const faces = &h->elements[1];
-    *r = (ply_records){.is_big = h->format == PLY_BIG_ENDIAN};
-    if (!vertices->count || !faces->count || !lay_out_vertex(vertices, r) || !lay_out_face(faces, r))
+    ply_layout *const in = &r->in;
+    if (!ply_layout_of(h, size, in) || in->number != PLY_FLOAT || (in->corner != PLY_INT32 && in->corner != PLY_UINT32))
         return false;
-    r->vertices_at = h->size;
-    const uint64_t left = size - h->size;
-    if (vertices->count > left / r->vertex_bytes)
-        return false;
-    r->faces_at = h->size + vertices->count * r->vertex_bytes;
-    if (faces->count > (size - r->faces_at) / r->face_bytes || faces->count > SIZE_MAX / sizeof(float[9]))
-        return false;
-    r->vertices = (size_t)vertices->count;
-    r->faces = (size_t)faces->count;
-    return true;
+    r->count_bytes = ply_type_size(in->count);
+    r->face_bytes = in->before + r->count_bytes + sizeof(uint32_t[3]) + in->after;
+    r->vertices = (size_t)in->vertices;
+    r->faces = (size_t)in->faces;
+    return in->faces <= (size - in->faces_at) / r->face_bytes && in->faces <= SIZE_MAX / sizeof(float[9]);
 }
 
 /* The order of the bytes of this machine is that of `is_big`, or not; either is right. */
@@ -95,21 +55,21 @@ static bool is_as_in_memory(const ply_records *r)
     const uint32_t one = 1;
     unsigned char bytes[sizeof one];
     memcpy(bytes, &one, sizeof one);
-    return r->vertex_bytes == sizeof(float[3]) && r->axis_at[1] == 4 && r->axis_at[2] == 8 && load(bytes, r->is_big) == one;
+    return r->in.vertex == sizeof(float[3]) && r->in.axes[1] == 4 && r->in.axes[2] == 8 && load(bytes, r->in.is_big) == one;
 }
 
 /* Reads a block of vertices to where all positions are; or of faces, of which none may have other than three corners. */
 static bool ply_records_vertices(const ply_records *r, FILE *stream, size_t first, size_t count, float *positions)
 {
-    const uint64_t at = r->vertices_at + first * r->vertex_bytes;
-    const size_t bytes = count * r->vertex_bytes;
+    const uint64_t at = r->in.vertices_at + first * r->in.vertex;
+    const size_t bytes = count * r->in.vertex;
     size_t got;
     if (is_as_in_memory(r))
         return named_file_read_at(stream, at, positions + 3 * first, bytes, &got) && got == bytes;
     unsigned char *const block = read_block(stream, at, bytes);
     for (size_t i = 0; block && i < count; i++)
         for (size_t a = 0; a < 3; a++) {
-            const uint32_t bits = load(block + i * r->vertex_bytes + r->axis_at[a], r->is_big);
+            const uint32_t bits = load(block + i * r->in.vertex + r->in.axes[a], r->in.is_big);
             memcpy(positions + 3 * (first + i) + a, &bits, sizeof bits);
         }
     free(block);
@@ -133,13 +93,13 @@ static inline bool take_corners(const unsigned char *list, size_t count, size_t 
 
 static bool ply_records_faces(const ply_records *r, FILE *stream, size_t first, size_t count, uint32_t *corners)
 {
-    unsigned char *const block = read_block(stream, r->faces_at + first * r->face_bytes, count * r->face_bytes);
-    const unsigned char *const lists = block ? block + r->count_at : NULL;
+    unsigned char *const block = read_block(stream, r->in.faces_at + first * r->face_bytes, count * r->face_bytes);
+    const unsigned char *const lists = block ? block + r->in.before : NULL;
     bool is_taken = block;
-    if (block && r->count_bytes == 1 && !r->is_big)
+    if (block && r->count_bytes == 1 && !r->in.is_big)
         is_taken = take_corners(lists, count, r->face_bytes, 1, false, corners);
     else if (block)
-        is_taken = take_corners(lists, count, r->face_bytes, r->count_bytes, r->is_big, corners);
+        is_taken = take_corners(lists, count, r->face_bytes, r->count_bytes, r->in.is_big, corners);
     free(block);
     return is_taken;
 }

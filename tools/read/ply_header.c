@@ -188,3 +188,62 @@ int ply_header_read(const char *path, const whole_file *file, ply_header *h)
     h->size = (size_t)(w.at - w.text) + (left < line_end ? left : line_end);
     return check_elements(path, h);
 }
+
+double ply_number(uint64_t bits, ply_type type)
+{
+    const uint32_t low = (uint32_t)bits;
+    float narrow;
+    double wide;
+    memcpy(&narrow, &low, sizeof narrow);
+    memcpy(&wide, &bits, sizeof wide);
+    return type == PLY_INT8     ? (int8_t)bits
+           : type == PLY_INT16  ? (int16_t)bits
+           : type == PLY_INT32  ? (int32_t)bits
+           : type == PLY_FLOAT  ? (double)narrow
+           : type == PLY_DOUBLE ? wide
+                                : (double)bits;
+}
+
+static bool lay_vertices(const ply_element *e, ply_layout *l)
+{
+    bool is_sound = e->kind == PLY_VERTICES;
+    l->vertices = e->count;
+    for (int i = 0; i < e->property_count; i++) {
+        const ply_property *const p = &e->properties[i];
+        is_sound &= !p->count && (p->role > PLY_Z || !l->number || l->number == p->type);
+        if (p->role <= PLY_Z) {
+            l->number = p->type;
+            l->axes[p->role] = l->vertex;
+        }
+        l->vertex += ply_type_size(p->type);
+    }
+    return is_sound && e->count;
+}
+
+static bool lay_faces(const ply_element *e, ply_layout *l)
+{
+    bool is_sound = e->kind == PLY_FACES;
+    l->faces = e->count;
+    for (int i = 0; i < e->property_count; i++) {
+        const ply_property *const p = &e->properties[i];
+        if (p->role == PLY_CORNERS) {
+            l->count = p->count;
+            l->corner = p->type;
+            continue;
+        }
+        is_sound &= !p->count;
+        *(l->count ? &l->after : &l->before) += ply_type_size(p->type);
+    }
+    return is_sound && e->count;
+}
+
+bool ply_layout_of(const ply_header *h, uint64_t size, ply_layout *l)
+{
+    *l = (ply_layout){.is_big = h->format == PLY_BIG_ENDIAN, .vertices_at = h->size};
+    if (h->element_count < 2 || !lay_vertices(&h->elements[0], l) || !lay_faces(&h->elements[1], l))
+        return false;
+    if (l->vertices > UINT32_MAX || l->vertices > (size - l->vertices_at) / l->vertex)
+        return false;
+    l->faces_at = l->vertices_at + l->vertices * l->vertex;
+    return l->faces <= (size - l->faces_at) / (l->before + ply_type_size(l->count) + l->after);
+}

@@ -61,4 +61,28 @@ int ply_header_read(const char *path, const whole_file *file, ply_header *header
 
 size_t ply_type_size(ply_type type);
 
+/* The bits of a value of a binary file, and what they stand for. */
+static inline uint64_t ply_bits(const void *from, size_t size, bool is_big)
+{
+    const unsigned char *const bytes = from;
+    uint64_t bits = 0;
+    for (size_t i = 0; i < size; i++)
+        bits = bits << 8 | bytes[is_big ? i : size - 1 - i];
+    return bits;
+}
+
+double ply_number(uint64_t bits, ply_type type);
+
+/* Where vertices and faces lie in a binary file: vertices of one size, faces of one list among values of one size. */
+typedef struct ply_layout {
+    bool is_big;
+    uint64_t vertices, vertices_at, faces, faces_at;
+    size_t vertex, axes[3];         /* bytes of a vertex, and where in it its coordinates are */
+    size_t before, after;           /* bytes of a face before its list and after it */
+    ply_type number, count, corner; /* of a coordinate, of the list's length, of a corner */
+} ply_layout;
+
+/* False where the first two elements are others, or of none, or a file of `size` bytes ends before them if all lists are empty. */
+bool ply_layout_of(const ply_header *header, uint64_t size, ply_layout *layout);
+
 #endif

@@ -5,8 +5,6 @@
 #include "console/message.h"
 #include "scan.h"
 
-typedef unsigned char byte;
-
 static bool is_text(const scan *s) { return s->ply.format == PLY_ASCII; }
 
 static const ply_element *element_of(const scan *s) { return &s->ply.elements[s->element]; }
@@ -43,29 +41,6 @@ static int refuse_end(const scan *s)
         s->words.path, e->count, e->name_length, e->name, s->number + 1);
 }
 
-static uint64_t load_bits(const byte *from, size_t size, bool is_big)
-{
-    uint64_t bits = 0;
-    for (size_t i = 0; i < size; i++)
-        bits = bits << 8 | from[is_big ? i : size - 1 - i];
-    return bits;
-}
-
-static double number_of(uint64_t bits, ply_type type)
-{
-    const uint32_t low = (uint32_t)bits;
-    float narrow;
-    double wide;
-    memcpy(&narrow, &low, sizeof narrow);
-    memcpy(&wide, &bits, sizeof wide);
-    return type == PLY_INT8     ? (int8_t)bits
-           : type == PLY_INT16  ? (int16_t)bits
-           : type == PLY_INT32  ? (int32_t)bits
-           : type == PLY_FLOAT  ? (double)narrow
-           : type == PLY_DOUBLE ? wide
-                                : (double)bits;
-}
-
 /* As text, too, a double is a double. */
 static int take_number(scan *s, ply_type type, double *number, float_fit *fit)
 {
@@ -77,7 +52,7 @@ static int take_number(scan *s, ply_type type, double *number, float_fit *fit)
     } else {
         if (bytes_left(s) < size)
             return refuse_end(s);
-        *number = number_of(load_bits((const byte *)s->words.at, size, s->ply.format == PLY_BIG_ENDIAN), type);
+        *number = ply_number(ply_bits(s->words.at, size, s->ply.format == PLY_BIG_ENDIAN), type);
         s->words.at += size;
     }
     if (!is_text(s) || type == PLY_DOUBLE)
