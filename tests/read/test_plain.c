@@ -59,8 +59,6 @@ static void check(const char *name, const char *text, size_t size, due how)
     }
 }
 
-static void check_text(const char *name, const char *text, due how) { check(name, text, strlen(text), how); }
-
 /* Every line end as it is written on another system, and the last one left away. */
 static void check_ends(const char *name, const char *text)
 {
@@ -71,121 +69,101 @@ static void check_ends(const char *name, const char *text)
             other[size++] = '\r';
         other[size++] = *c;
     }
-    check_text(name, text, FAST);
+    check(name, text, strlen(text), FAST);
     check(name, text, strlen(text) - 1, FAST);
     check(name, other, size, FAST);
     check(name, other, size - 2, FAST);
-}
-
-static void test_obj(void **state)
-{
-    (void)state;
-    check_ends("a.obj",
-               "# a comment\nmtllib x.mtl\nv 0 0 0\nv 1 0 0\nv\t0.1 1e-3\t-2\nvn 0 0 1\nvt 1 1\nf 1 2 3\n\nf 1/1 2/2 3/3 \n"
-               "f 1//1 2//1 3//1\n  f -1 -2 -3\ng part\nf 1/1/1 3/3/1 2/2/1\n");
-    check_ends(
-        "a.obj",
-        "f 1 2 3\nf 2 4 3\nv 0 0 0\nv 557820.15 5 1\nv -0 1.0000000000000002 1\nv 9007199254740993 1 1 0.5 0.5\np 1\nl 1 2\n");
-    check_ends("a.obj",
-               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.3 0.2 1\nf 1 2 3 4\nf 1 2\nf 5\nf -5 -4 -3 -2 -1\nv 9 9 9\nf 6 -1 1\n");
-}
-
-static void test_other_obj(void **state)
-{
-    static const char *const texts[] = {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nF 1 2 3\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3#c\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n",
-                                        "v 557820.15 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
-                                        "v 557820.15 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\n# x \\\nf 1 2 3\n",
-                                        "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\n#x\rf 1 2 3\nf 1 2 3\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 1e-400\nf 1 2 3\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
-                                        "v 0 0 0\nv 1 0 0x1p4\nv 0 1 0\nf 1 2 3\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\n\vf 1 2 3\nf 1 2 3\n",
-                                        "v 0 0 0\nv 1 0 0\n \fv 0 1 1\nv 0 1 0\nf 1 2 3\n",
-                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4294967299\n"};
-    (void)state;
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
-        check_text("a.obj", texts[i], SLOWLY);
 }
 
 #define PLY "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty uchar red\nproperty float y\n"
 #define PLY_FACES "property float z\nelement face 3\nproperty list uchar int vertex_indices\n"
 #define PLY_DOUBLES "property double z\nelement face 3\nproperty list uchar int vertex_indices\nproperty int flag\n"
 
-static void test_ply_text(void **state)
-{
-    (void)state;
-    check_ends("a.ply",
-               PLY PLY_FACES "end_header\n0 255 0 0\n1\t0 0.1 0 \n1 0 1e-3 -0.0\n 0 0 1 12345678901234567\n3 0 1 2\n3  3 2 1\n"
-                             "3 0 1 3 \nmore\n");
-    check_ends("a.ply", PLY PLY_DOUBLES "end_header\n0 255 0 0\n1 0 0 0.1\n1 x 1 0\n0 0 1 0.25\n4 0 1 2 3 7\n2 1 2 8\n3 0 1 3 9\n");
-    check_ends("a.ply", PLY PLY_FACES "end_header\n0 255 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 557820.15\n3 0 1 2\n0\n3 0 1 3\n");
-}
-
-static void test_other_ply_text(void **state)
-{
-    static const char *const texts[] = {
-        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n",
-        PLY PLY_FACES "end_header\n0 0 0 0 1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
-        PLY PLY_FACES "end_header\n\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
-        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 4\n3 0 1 2\n",
-        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2.0\n3 0 1 2\n",
-        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 inf\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
-        PLY PLY_FACES "element edge 1\nproperty int a\nend_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
-        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2 3 0 1 2\n3 0 1 2\n"};
-    (void)state;
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
-        check_text("a.ply", texts[i], SLOWLY);
-}
-
 #define FACET(a) \
     "  facet normal 0 0 1\n    outer loop\n      vertex " a " 0 0\n      vertex 1 0 -0\n\tvertex 0 1 0.1\n    endloop\n  " \
     "endfacet\n"
 
-static void test_stl_text(void **state)
-{
-    (void)state;
-    check_ends("a.stl", "solid a b\n" FACET("0") FACET("1e2") FACET("-1234567890123456789e-18") "endsolid a b\n");
-    check_ends("a.stl", "solid\n" FACET("0") "endsolid\nsolid facet\n" FACET("1") FACET("557820.15") "endsolid facet\n\n");
-    check_ends("a.stl",
-               "solid a\nfacet normal nan nan nan outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n" FACET(
-                   "2") "endsolid\n");
-}
+static const struct {
+    const char *name, *text;
+    due how;
+} rows[] = {
+    {"a.obj",
+     "# a comment\nmtllib x.mtl\nv 0 0 0\nv 1 0 0\nv\t0.1 1e-3\t-2\nvn 0 0 1\nvt 1 1\nf 1 2 3\n\nf 1/1 2/2 3/3 \n"
+     "f 1//1 2//1 3//1\n  f -1 -2 -3\ng part\nf 1/1/1 3/3/1 2/2/1\n",
+     FAST},
+    {"a.obj", "f 1 2 3\nf 2 4 3\nv 0 0 0\nv 557820.15 5 1\nv -0 1.0000000000000002 1\nv 9007199254740993 1 1 0.5 0.5\np 1\nl 1 2\n",
+     FAST},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.3 0.2 1\nf 1 2 3 4\nf 1 2\nf 5\nf -5 -4 -3 -2 -1\nv 9 9 9\nf 6 -1 1\n",
+     FAST},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nF 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3#c\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", SLOWLY},
+    {"a.obj", "v 557820.15 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", SLOWLY},
+    {"a.obj", "v 557820.15 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n# x \\\nf 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n#x\rf 1 2 3\nf 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 1e-400\nf 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0x1p4\nv 0 1 0\nf 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n\vf 1 2 3\nf 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\n \fv 0 1 1\nv 0 1 0\nf 1 2 3\n", SLOWLY},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4294967299\n", SLOWLY},
+    {"a.ply",
+     PLY PLY_FACES "end_header\n0 255 0 0\n1\t0 0.1 0 \n1 0 1e-3 -0.0\n 0 0 1 12345678901234567\n3 0 1 2\n3  3 2 1\n"
+                   "3 0 1 3 \nmore\n",
+     FAST},
+    {"a.ply", PLY PLY_DOUBLES "end_header\n0 255 0 0\n1 0 0 0.1\n1 x 1 0\n0 0 1 0.25\n4 0 1 2 3 7\n2 1 2 8\n3 0 1 3 9\n", FAST},
+    {"a.ply", PLY PLY_FACES "end_header\n0 255 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 557820.15\n3 0 1 2\n0\n3 0 1 3\n", FAST},
+    {"a.ply", PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n", SLOWLY},
+    {"a.ply", PLY PLY_FACES "end_header\n0 0 0 0 1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n", SLOWLY},
+    {"a.ply", PLY PLY_FACES "end_header\n\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n", SLOWLY},
+    {"a.ply", PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 4\n3 0 1 2\n", SLOWLY},
+    {"a.ply", PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2.0\n3 0 1 2\n", SLOWLY},
+    {"a.ply", PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 inf\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n", SLOWLY},
+    {"a.ply",
+     PLY PLY_FACES "element edge 1\nproperty int a\nend_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
+     SLOWLY},
+    {"a.ply", PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2 3 0 1 2\n3 0 1 2\n", SLOWLY},
+    {"a.stl", "solid a b\n" FACET("0") FACET("1e2") FACET("-1234567890123456789e-18") "endsolid a b\n", FAST},
+    {"a.stl", "solid\n" FACET("0") "endsolid\nsolid facet\n" FACET("1") FACET("557820.15") "endsolid facet\n\n", FAST},
+    {"a.stl",
+     "solid a\nfacet normal nan nan nan outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n" FACET(
+         "2") "endsolid\n",
+     FAST},
+    {"a.stl", "solid a\n" FACET("0") FACET("x") "endsolid\n", SLOWLY},
+    {"a.stl", "solid a\n" FACET("0") "FACET normal 0 0 0\n", SLOWLY},
+    {"a.stl", "solid a\n" FACET("0") FACET("1"), SLOWLY},
+    {"a.stl", "solid a\n" FACET("0") "endsolid\n" FACET("1"), SLOWLY},
+    {"a.stl", "solid a\nendsolid\n", SLOWLY},
+    {"a.stl", "solid a\n" FACET("0 0") "endsolid\n", SLOWLY},
+    {"a.stl", "Solid a\n" FACET("0") "EndSolid\n", SLOWLY},
+    {"a.stl",
+     "solid a\n" FACET("0") "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet " FACET("1")
+         FACET("2") "endsolid",
+     EITHER},
+    {"a.stl",
+     "solid a\n" FACET(
+         "0") "facet normal 0 0 1 outer loop vertex 0 0 0\nvertex 1 0 0 vertex 0 1 0\nendloop\n"
+              "endfacet facet normal 0 0 1\nouter loop\nvertex 3 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n" FACET("1")
+                  FACET("2") "endsolid",
+     EITHER},
+    {"a.stl", "solid a\nendsolid solid\nfacet normal 0 0 0\n" FACET("1") FACET("2") "endsolid", EITHER}};
 
-static void test_other_stl_text(void **state)
+static void test_texts(void **state)
 {
-    static const char *const texts[] = {"solid a\n" FACET("0") FACET("x") "endsolid\n",
-                                        "solid a\n" FACET("0") "FACET normal 0 0 0\n",
-                                        "solid a\n" FACET("0") FACET("1"),
-                                        "solid a\n" FACET("0") "endsolid\n" FACET("1"),
-                                        "solid a\nendsolid\n",
-                                        "solid a\n" FACET("0 0") "endsolid\n",
-                                        "Solid a\n" FACET("0") "EndSolid\n"};
     (void)state;
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
-        check_text("a.stl", texts[i], SLOWLY);
-    check_text(
-        "a.stl",
-        "solid a\n" FACET("0") "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet " FACET("1")
-            FACET("2") "endsolid",
-        EITHER);
-    check_text(
-        "a.stl",
-        "solid a\n" FACET(
-            "0") "facet normal 0 0 1 outer loop vertex 0 0 0\nvertex 1 0 0 vertex 0 1 0\nendloop\n"
-                 "endfacet facet normal 0 0 1\nouter loop\nvertex 3 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n" FACET("1")
-                     FACET("2") "endsolid",
-        EITHER);
-    check_text("a.stl", "solid a\nendsolid solid\nfacet normal 0 0 0\n" FACET("1") FACET("2") "endsolid", EITHER);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        if (rows[i].how == FAST)
+            check_ends(rows[i].name, rows[i].text);
+        else
+            check(rows[i].name, rows[i].text, strlen(rows[i].text), rows[i].how);
 }
 
 /* Numbers at which fast readers err, each as a coordinate of each format. */
@@ -295,9 +273,7 @@ static int remove_folder(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_obj),      cmocka_unit_test(test_other_obj),
-                                       cmocka_unit_test(test_ply_text), cmocka_unit_test(test_other_ply_text),
-                                       cmocka_unit_test(test_stl_text), cmocka_unit_test(test_other_stl_text),
-                                       cmocka_unit_test(test_numbers),  cmocka_unit_test(test_ply_binary)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_texts), cmocka_unit_test(test_numbers),
+                                       cmocka_unit_test(test_ply_binary)};
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
