@@ -1,4 +1,4 @@
-/* crop.c - refuses what cannot be written as it was, before a long mesh is read; writes, and keeps the files when all are written. */
+/* crop.c - refuses what cannot be written as it was, before a long mesh is read; writes; and keeps the files when all are done. */
 #include "crop.h"
 
 #include <errno.h>

@@ -1,4 +1,4 @@
-/* mesh_triangles.c - reads files of triangles, binary STL or raw, in blocks; where the length is known, threads take them in turn. */
+/* mesh_triangles.c - reads files of triangles in blocks, binary STL or raw; where the length is known, by threads in turn. */
 #include "mesh.h"
 
 #include <inttypes.h>

@@ -1,6 +1,6 @@
 /*
- * text_pieces.c - the lists of a part grow in room for the most that it may have, and are kept in as much as they take. When all are
- * there, their vertices get their numbers, and their faces become triangles, all by threads.
+ * text_pieces.c - the lists of a part grow in room for the most that it may have, and are kept in as much as they take. When all
+ * are there, their vertices get their numbers, and their faces become triangles, all by threads.
  */
 #include "text_pieces.h"
 
