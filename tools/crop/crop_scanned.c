@@ -98,9 +98,27 @@ static uint64_t number_of(const cropping *k, crop_side side, const scan_referenc
                                      : kept_numbers_new(&k->kept[side][r->which], r->number) + (k->s.kind == MESH_OBJ);
 }
 
+/* Numbers of a binary face take as many bytes as before. False where it has too many. */
+static bool put_binary(cropping *k, crop_side side)
+{
+    enum { SHORT = 256 };
+    const scan_item *const i = &k->s.item;
+    const size_t size = (size_t)(i->end - i->begin);
+    char copy[SHORT];
+    if (size > SHORT || !i->count || i->references[0].type == PLY_NONE)
+        return false;
+    memcpy(copy, i->begin, size);
+    for (size_t n = 0; n < i->count; n++)
+        scan_spell(&k->s, &i->references[n], number_of(k, side, &i->references[n]), copy + (i->references[n].at - i->begin));
+    crop_put(k->c, side, copy, size);
+    return true;
+}
+
 static void put_item(cropping *k, crop_side side)
 {
     const scan_item *const i = &k->s.item;
+    if (put_binary(k, side))
+        return;
     const char *from = i->begin;
     char number[SCAN_DIGITS];
     for (size_t n = 0; n < i->count; n++) {

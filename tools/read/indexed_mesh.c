@@ -143,11 +143,11 @@ int indexed_mesh_reserve(const char *path, uint64_t vertices, unsigned position_
 void indexed_mesh_add_vertex(const double position[3], indexed_mesh *m)
 {
     const size_t first = 3 * m->vertices++;
-    for (size_t a = 0; a < 3; a++)
-        if (m->position_bytes == sizeof(float))
+    if (m->position_bytes == sizeof(double))
+        memcpy((double *)m->positions + first, position, sizeof(double[3]));
+    else
+        for (size_t a = 0; a < 3; a++)
             ((float *)m->positions)[first + a] = (float)position[a];
-        else
-            ((double *)m->positions)[first + a] = position[a];
 }
 
 /* In place: number i ends before number i + 1 begins. */

@@ -70,11 +70,13 @@ typedef struct scan {
     int element;                        /* of PLY, which is next */
     uint64_t number;                    /* of these, counted from 0 */
     const char *line_end;               /* of PLY, as its header has it */
+    size_t skipped;                     /* of PLY: the bytes of each item of this element, which is not looked at; else 0 */
     bool is_left_out[PLY_ELEMENTS_MAX]; /* of PLY: it refers to vertices, and is no face */
 } scan;
 
 /*
- * Begins with a file. path: for messages; NULL to say nothing of what is wrong, of a file that was sound when it was read before.
+ * Begins with a file. path: for messages; NULL to say nothing of what is wrong, of a file that was sound when it was read before,
+ * and to look at no positions of binary ones.
  * Returns an exit_code; scan_close follows in any case.
  */
 int scan_open(const char *path, mesh_kind kind, const whole_file *file, scan *s);

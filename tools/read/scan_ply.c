@@ -95,8 +95,22 @@ static int skip(scan *s, const ply_property *p)
     return EXIT_CODE_OK;
 }
 
+/* The usual one, in a binary list of which all bytes are there. False where it is another, or damaged. */
+static bool find_corner(const scan *s, ply_type type, uint64_t *vertex)
+{
+    if (is_text(s) || (type != PLY_INT32 && type != PLY_UINT32))
+        return false;
+    *vertex = ply_bits(s->words.at, sizeof(uint32_t), s->ply.format == PLY_BIG_ENDIAN);
+    return *vertex < s->all[SCAN_POSITIONS] && (type == PLY_UINT32 || *vertex <= INT32_MAX);
+}
+
 static int take_corner(scan *s, ply_type type)
 {
+    uint64_t vertex;
+    if (find_corner(s, type, &vertex)) {
+        s->words.at += sizeof(uint32_t);
+        return scan_refer(s, (scan_reference){s->words.at - sizeof(uint32_t), sizeof(uint32_t), SCAN_POSITIONS, type, vertex});
+    }
     const bool is_strip = element_of(s)->kind == PLY_STRIPS;
     const char *const before = s->words.at;
     double index = 0;
@@ -138,22 +152,40 @@ static int take_property(scan *s, const ply_property *p)
     return take_number(s, p->type, &i->colour[p->role - PLY_RED], &(float_fit){FLOAT_FIT_EXACT});
 }
 
+/* Of values alone whose sizes are known. */
+static size_t bytes_of(const ply_element *e)
+{
+    size_t bytes = 0;
+    for (int i = 0; i < e->property_count; i++) {
+        if (e->properties[i].count)
+            return 0;
+        bytes += ply_type_size(e->properties[i].type);
+    }
+    return bytes;
+}
+
 static int take_record(scan *s)
 {
     static const scan_kind kinds[] = {
         [PLY_VERTICES] = SCAN_VERTEX, [PLY_FACES] = SCAN_FACE, [PLY_STRIPS] = SCAN_STRIP, [PLY_OTHER] = SCAN_OTHER};
     const ply_element *const e = element_of(s);
-    words first = s->words;
-    int code = s->number ? EXIT_CODE_OK : check_count(s, e);
-    if (is_text(s)) {
-        words_next(&first);
-        s->item.after = s->line_end;
+    int code = EXIT_CODE_OK;
+    if (!s->number) {
+        code = check_count(s, e);
+        s->skipped = is_text(s) || s->words.path ? 0 : bytes_of(e);
     }
     s->item.kind = s->is_left_out[s->element] ? SCAN_LEFT_OUT : kinds[e->kind];
     s->item.which = SCAN_POSITIONS;
-    s->item.gap = s->item.begin = is_text(s) ? first.word : s->words.at;
-    for (int i = 0; !code && i < e->property_count; i++)
+    s->item.gap = s->item.begin = s->words.at;
+    if (is_text(s)) {
+        words first = s->words;
+        words_next(&first);
+        s->item.gap = s->item.begin = first.word;
+        s->item.after = s->line_end;
+    }
+    for (int i = 0; !code && !s->skipped && i < e->property_count; i++)
         code = take_property(s, &e->properties[i]);
+    s->words.at += s->skipped; /* of all of them the file has the bytes */
     s->item.end = s->words.at;
     s->number++;
     s->here[SCAN_POSITIONS] += e->kind == PLY_VERTICES;
