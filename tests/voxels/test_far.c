@@ -176,6 +176,10 @@ static size_t try_triangle(random_source *r, uint64_t *first, uint64_t *occupied
         if (kernel && memcmp(first, occupied, words * sizeof *first))
             fail_msg("kernels %s and %s differ", names[0], names[kernel]);
     }
+    const soup_or_mesh of = cells_all(&drawn);
+    memset(occupied, 0, words * sizeof *occupied); /* and without a report */
+    assert_int_equal(tribox_voxelize(&of.soup, &drawn.grid, NULL, &drawn.options, occupied, NULL), TRIBOX_OK);
+    assert_memory_equal(first, occupied, words * sizeof *first);
     for (int k = 0; k < POINTS; k++) {
         double p[3];
         int64_t from[3], end[3];
