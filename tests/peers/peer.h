@@ -50,9 +50,6 @@ typedef struct peer {
     size_t (*any)(void *tree, const tribox_box *boxes, size_t count);
 } peer;
 
-/* Those that were found when this was compiled; NULL ends them. */
-extern const peer *const peers_here[];
-
 extern const peer peer_cgal, peer_embree, peer_embree_boxes, peer_bullet;
 
 #ifdef __cplusplus
