@@ -120,11 +120,16 @@ def index():
         for way in range(8):
             for many in (0, 1):
                 boxes = source.choice((UNIT_BOX, flat)) + a_box(source, BOX, way) + around
-                damage = source.choice((b"\0", bytes([1, 6, 0, 7, 255]), bytes([9, 0, 0, 255, 0, 3, 0, 255, 0]), b"\xff" + source.randbytes(130)))
+                damage = source.choice((b"\0", b"\0", bytes([1, 6, 0, 7, 255]), bytes([9, 0, 0, 255, 0, 3, 0, 255, 0]), b"\xff" + source.randbytes(130)))
                 files["%d_%d_%d" % (kind, way, many)] = (
                     bytes([source.choice(UNITS)]) + options(source.choice((0, 0, 1, 3))) +
                     bytes([many + 2 * kind, 255 if many else source.choice((0, 1, 180, 250))]) + boxes +
                     things(source, kind, way, run=bytes([source.choice((0, 63, 255))]) if many else b"") + source.randbytes(3) + damage)
+    for side in range(6):
+        half = [-16, 15] * 3
+        half[side] = 0
+        files["half_%d" % side] = (bytes([UNIT_ONE]) + options() + bytes([1 + 2 * (side % 4), 255]) + shape(LATTICE, lattice(*half)) +
+                                   around + flat + things(source, side % 4, LATTICE, run=b"\77") + b"\1\0\377\0")
     for error in ERRORS:
         files["wrong_%d" % error] = bytes([UNIT_ONE]) + options(error=error) + b"\0\276" + UNIT_BOX * 3 + things(source, OF_SOUP, LATTICE)
     files["wrong_axes"] = bytes([UNIT_ONE]) + options(6) + b"\0\276" + UNIT_BOX * 3 + things(source, OF_SOUP, LATTICE)
