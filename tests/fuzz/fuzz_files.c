@@ -8,8 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "console/message.h"
 #include "ensure.h"
@@ -118,35 +116,13 @@ static void read_boxes(bytes b)
         box_file_close(&boxes);
 }
 
-/* Files in a folder of their own, rewritten for each input. */
+/* Files, rewritten for each input. */
 enum { PARTS = 2, INDEX = PARTS, TRIANGLES, NUMBERS, FILES };
-static const char *const names[FILES] = {"a.stl", "a.npz", "index", "triangles", "numbers"};
-static char folder[64], file_name[FILES][80];
-
-static void remove_files(void)
-{
-    for (int i = 0; i < FILES; i++)
-        remove(file_name[i]);
-    rmdir(folder);
-}
-
-static void name_files(void)
-{
-    const char *const parent = getenv("TMPDIR");
-    snprintf(folder, sizeof folder, "%.40s/fuzz_XXXXXX", parent ? parent : "/tmp");
-    ensure(mkdtemp(folder), "cannot make the folder %s", folder);
-    for (int i = 0; i < FILES; i++)
-        snprintf(file_name[i], sizeof file_name[i], "%s/%s", folder, names[i]);
-    atexit(remove_files);
-}
 
 static const char *write_file(int i, bytes b)
 {
-    if (!folder[0])
-        name_files();
-    FILE *const file = fopen(file_name[i], "wb");
-    ensure(file && fwrite(b.first, 1, b.size, file) == b.size && !fclose(file), "cannot write %s", file_name[i]);
-    return file_name[i];
+    static const char *const names[FILES] = {"a.stl", "a.npz", "index", "triangles", "numbers"};
+    return lines_file(names[i], b.first, b.size);
 }
 
 /* What has been read of a part. */
@@ -261,7 +237,7 @@ static void read_partition(bytes b)
     const size_t numbers = write_index((bytes){b.first + (b.size > 0), cut - (b.size > 0)});
     write_file(NUMBERS, (bytes){(const uint8_t *)zeros, numbers * sizeof *zeros});
     write_file(TRIANGLES, (bytes){b.first + cut, b.size - cut});
-    const int code = partition_open(&p, folder);
+    const int code = partition_open(&p, lines_folder());
     lines_fit("partition_open", code);
     if (code)
         return;

@@ -3,41 +3,12 @@
  * as well, and both make the same mesh. The first byte chooses the name's ending, the threads and whether numbers stay doubles, the
  * second how long the parts of a text are.
  */
-#define _POSIX_C_SOURCE 200809L
-#include <stdio.h>
-#include <stdlib.h>
-#include <unistd.h>
-
 #include "ensure.h"
 #include "lines.h"
 #include "same_mesh.h"
 
-static const char *const endings[] = {"ply", "obj", "stl", "off"};
-enum { ENDINGS = sizeof endings / sizeof endings[0] };
-
-static char folder[64], path[80];
-
-static void remove_files(void)
-{
-    for (int i = 0; i < ENDINGS; i++) {
-        snprintf(path, sizeof path, "%s/a.%s", folder, endings[i]);
-        remove(path);
-    }
-    rmdir(folder);
-}
-
-static void write_file(const char *ending, const uint8_t *bytes, size_t size)
-{
-    if (!folder[0]) {
-        const char *const parent = getenv("TMPDIR");
-        snprintf(folder, sizeof folder, "%.40s/fuzz_XXXXXX", parent ? parent : "/tmp");
-        ensure(mkdtemp(folder), "cannot make the folder %s", folder);
-        atexit(remove_files);
-    }
-    snprintf(path, sizeof path, "%s/a.%s", folder, ending);
-    FILE *const file = fopen(path, "wb");
-    ensure(file && fwrite(bytes, 1, size, file) == size && !fclose(file), "cannot write %s", path);
-}
+static const char *const names[] = {"a.ply", "a.obj", "a.stl", "a.off"};
+enum { NAMES = sizeof names / sizeof names[0] };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -46,9 +17,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     mesh plain = {.coordinates = NULL}, slow = {.coordinates = NULL};
     const bool is_wide = data[0] & 64;
-    write_file(endings[data[0] % ENDINGS], data + 2, size - 2);
+    const char *const path = lines_file(names[data[0] % NAMES], data + 2, size - 2);
     lines_forget();
-    const bool is_plain = mesh_read_plain(path, is_wide, threads[data[0] / ENDINGS % 4], 1 + (size_t)data[1], &plain);
+    const bool is_plain = mesh_read_plain(path, is_wide, threads[data[0] / NAMES % 4], 1 + (size_t)data[1], &plain);
     lines_fit("mesh_read_plain", 0);
     const int code = mesh_read_slowly(path, is_wide, 1, &slow);
     lines_fit("mesh_read_slowly", code);

@@ -1,7 +1,11 @@
+#define _POSIX_C_SOURCE 200809L
 #include "lines.h"
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "ensure.h"
 #include "console/message.h"
@@ -57,4 +61,39 @@ void lines_fit(const char *call, int code)
     ensure(code >= EXIT_CODE_OK && code <= EXIT_CODE_USAGE, "%s returns %d, which is not an exit code", call, code);
     ensure(code ? said + failed >= 1 && failed <= 1 : !failed, "%s returns %d after %d failures and %d other lines", call, code,
            failed, said);
+}
+
+enum { FILES_MAX = 8 };
+static char folder[64], paths[FILES_MAX][80];
+
+static void remove_files(void)
+{
+    for (int i = 0; i < FILES_MAX && paths[i][0]; i++)
+        remove(paths[i]);
+    rmdir(folder);
+}
+
+const char *lines_folder(void)
+{
+    const char *const parent = getenv("TMPDIR");
+    if (!folder[0]) {
+        snprintf(folder, sizeof folder, "%.40s/fuzz_XXXXXX", parent ? parent : "/tmp");
+        ensure(mkdtemp(folder), "cannot make the folder %s", folder);
+        atexit(remove_files);
+    }
+    return folder;
+}
+
+const char *lines_file(const char *name, const void *bytes, size_t size)
+{
+    char path[80];
+    int i = 0;
+    snprintf(path, sizeof path, "%.60s/%.15s", lines_folder(), name);
+    while (i < FILES_MAX && paths[i][0] && strcmp(paths[i], path) != 0)
+        i++;
+    ensure(i < FILES_MAX, "more than %d files", FILES_MAX);
+    memcpy(paths[i], path, sizeof path);
+    FILE *const file = fopen(path, "wb");
+    ensure(file && fwrite(bytes, 1, size, file) == size && !fclose(file), "cannot write %s", path);
+    return paths[i];
 }
