@@ -151,9 +151,10 @@ def cells():
     odd = bytes([BITS]) + floats(-0.7, -0.3, 0.1) + bytes([BITS]) + floats(0.01, 0.3, 0.2)
     for kind in KINDS:
         for way in range(8):
-            row = source.randrange(15)
-            add("%d_%d" % (kind, way), options(), source.choice((units, odd)), (row + 15 * source.randrange(9), source.randrange(7), source.randrange(7)),
-                way, kind, way, source.choice((UNIT_ONE, UNIT_EIGHTH)))
+            for number in range(5):
+                sizes = (source.randrange(135), source.randrange(7), source.randrange(7)) if number else (source.choice((4, 10, 14)), 5, 6)
+                add("%d_%d_%d" % (kind, way, number), options(), source.choice((units, odd)) if number else units, sizes, way + number,
+                    kind, way, source.choice((UNIT_ONE, UNIT_EIGHTH)))
         for axes in (1, 2, 4, 5):
             add("axes_%d_%d" % (axes, kind), options(axes), units, (4, 2, 1), axes, kind, LATTICE, UNIT_EIGHTH)
     for row in range(15):
