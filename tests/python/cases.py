@@ -14,7 +14,7 @@ import numpy as np
 import tribox
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tools"))
-import meshes  # noqa: E402
+import triangles as meshes  # noqa: E402
 
 LO, HI = (-0.5, -0.75, -1), (0.5, 0.25, 1)
 WINDOW = (5, 1, 2), (60, 7, 2)  # that answers.c asks about

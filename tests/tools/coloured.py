@@ -4,33 +4,25 @@ A colour is (red, green, blue) in bytes. Each reader of a file returns {cell: co
 """
 
 import itertools
-import json
 import math
 import struct
 
-import meshes
-import volumes
+import numpy as np
+import readers
+import triangles as meshes
 
 GREY = (204, 204, 204)
 
 
 def lowest(triangles, grid):
-    """The lowest number of a triangle that overlaps each cell, one triangle after another, in rational numbers."""
-    found = {}
-    for number, triangle in enumerate(triangles):
-        for cell in volumes.occupied([triangle], grid):
-            found.setdefault(cell, number)
-    return found
+    """The lowest number of a triangle that overlaps each cell (i, j, k)."""
+    cells = meshes.lowest(triangles, grid)
+    return {(int(i), int(j), int(k)): int(cells[k, j, i]) for k, j, i in np.argwhere(cells >= 0)}
 
 
 def mean(colours):
     """The nearest; a half goes up."""
     return tuple((2 * sum(c[a] for c in colours) + len(colours)) // (2 * len(colours)) for a in range(3))
-
-
-def linear(byte):
-    s = byte / 255
-    return s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4
 
 
 # PLY: of each type its letter for struct, and what a byte becomes.
@@ -64,76 +56,10 @@ def ply(vertices, polygons, vertex_colours=None, face_colours=None, kind="uchar"
     return ("\n".join(head + ["end_header"]) + "\n").encode() + body
 
 
-def read_vox(path):
-    """MagicaVoxel: a model, and a palette of which cells have the numbers, counted from 1."""
-    data = volumes.read(path)
-    assert data[:8] == struct.pack("<4sI", b"VOX ", 150) and data[8:20] == struct.pack("<4sII", b"MAIN", 0, len(data) - 20)
-    at, chunks = 20, {}
-    while at < len(data):
-        name, size, children = struct.unpack_from("<4sII", data, at)
-        assert children == 0 and name not in chunks
-        chunks[name] = data[at + 12:at + 12 + size]
-        at += 12 + size
-    assert list(chunks) == [b"SIZE", b"XYZI", b"RGBA"] and len(chunks[b"RGBA"]) == 1024
-    palette = list(struct.iter_unpack("<4B", chunks[b"RGBA"]))
-    assert all(colour[3] == 255 for colour in palette)
-    cells = list(struct.iter_unpack("<4B", chunks[b"XYZI"][4:]))
-    assert all(c[3] >= 1 for c in cells) and struct.unpack("<I", chunks[b"XYZI"][:4]) == (len(cells),)
-    return {c[:3]: palette[c[3] - 1][:3] for c in cells}
-
-
-def read_ply(path):
-    head, _, body = volumes.read(path).partition(b"end_header\n")
-    lines = head.decode().splitlines()
-    vertices, faces = (int(line.split()[2]) for line in lines if line.startswith("element"))
-    assert lines[-4:] == ["property list uchar int vertex_indices", "property uchar red", "property uchar green", "property uchar blue"]
-    assert len(body) == 24 * vertices + 16 * faces
-    places = list(struct.iter_unpack("<3d", body[:24 * vertices]))
-    for face in struct.iter_unpack("<B3i3B", body[24 * vertices:]):
-        yield [places[n] for n in face[1:4]], face[4:]
-
-
-def one_colour(corners, colours):
-    assert len(set(colours)) == 1, colours
-    return corners, colours[0]
-
-
-def read_obj(path):
-    places, colours = [], []
-    for line in volumes.read(path).decode().splitlines():
-        word, *values = line.split()
-        if word == "v":
-            assert len(values) == 6
-            places.append(tuple(float(x) for x in values[:3]))
-            colours.append(tuple(math.floor(255 * float(x) + 0.5) for x in values[3:]))
-        elif word == "f":
-            numbers = [int(x) - 1 for x in values]
-            yield one_colour([places[n] for n in numbers], [colours[n] for n in numbers])
-
-
-def read_glb(path):
-    """Colours are linear there, in 16 bits: which byte they were is found by the nearest."""
-    data = volumes.read(path)
-    length, = struct.unpack_from("<I", data, 12)
-    about, data = json.loads(data[20:20 + length]), data[28 + length:]
-    position, number, colour = about["accessors"]
-    vertices, triangles = about["bufferViews"]
-    assert about["meshes"][0]["primitives"][0]["attributes"] == {"POSITION": 0, "COLOR_0": 2} and vertices["byteStride"] == 20
-    assert (colour["componentType"], colour["type"], colour["normalized"], colour["byteOffset"]) == (5123, "VEC4", True, 12)
-    assert colour["count"] == position["count"] and vertices["byteLength"] == 20 * position["count"] == triangles["byteOffset"]
-    byte_of = {math.floor(65535 * linear(byte) + 0.5): byte for byte in range(256)}
-    assert len(byte_of) == 256
-    node = about["nodes"][0]
-    corners = []
-    for x, y, z, *rgba in struct.iter_unpack("<3f4H", data[:vertices["byteLength"]]):
-        assert rgba[3] == 65535
-        place = tuple(o + p * s for o, p, s in zip(node["translation"], (x, y, z), node["scale"]))
-        corners.append((place, tuple(byte_of[c] for c in rgba[:3])))
-    for triangle in struct.iter_unpack("<3I", data[triangles["byteOffset"]:]):
-        yield one_colour([corners[n][0] for n in triangle], [corners[n][1] for n in triangle])
-
-
-READERS = {".ply": read_ply, ".obj": read_obj, ".glb": read_glb}
+def triangles_of(path):
+    """The corners of each, and its colour."""
+    vertices, triangles, colours = readers.mesh(path)
+    return [] if colours is None else list(zip(vertices[triangles].tolist(), map(tuple, colours.tolist())))
 
 
 def is_within(point, polygon):

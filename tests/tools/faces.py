@@ -6,7 +6,7 @@ import random
 import re
 import struct
 
-import meshes
+import triangles as meshes
 
 NAN = math.nan
 SIZES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}

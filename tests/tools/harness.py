@@ -125,6 +125,14 @@ class TestCase(unittest.TestCase):
         """The same as JSON."""
         return json.loads(self.succeed(*arguments, "--json", **how))
 
+    def foreign(self, program, *paths):
+        """What another program reads from these files (foreign.py), as lists and numbers."""
+        foreign = self.module("foreign")
+        try:
+            return json.loads(json.dumps([getattr(foreign, "with_" + program)(path) for path in paths]))
+        except ImportError as error:
+            return self.skipTest(error)
+
     def overlap(self, mesh, box, *options, **how):
         """The answer about one box, its list included; of a box of fifteen numbers as of an oriented one."""
         box = box if isinstance(box, str) else text_of(box)

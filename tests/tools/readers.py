@@ -30,6 +30,11 @@ def npy(data):
     return np.frombuffer(data[start:], about["descr"]).reshape(about["shape"])
 
 
+def places_of(path):
+    """Of the cells that are set, (i, j, k) each."""
+    return set(map(tuple, np.argwhere(read(path)[0])[:, ::-1].tolist()))
+
+
 def checked(cells, what):
     assert cells.dtype == {"bits": np.dtype(bool), "labels": np.dtype("u1"), "ids": np.dtype("<i4")}[what]
     if what == "bits":

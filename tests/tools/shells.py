@@ -1,75 +1,15 @@
-"""Readers of the meshes of cells that tribox voxelize writes, and what is to be true of them, found from the cells alone.
-
-Each reader returns vertices (x, y, z) and triangles of three numbers of vertices.
-"""
+"""What is to be true of the meshes of cells that tribox voxelize writes, found from the cells alone."""
 
 import collections
 import functools
 import itertools
-import json
-import struct
 
-import volumes
+import readers
 
 
-def read_ply(path):
-    head, _, body = volumes.read(path).partition(b"end_header\n")
-    lines = [line for line in head.decode().split("\n") if not line.startswith("comment")]
-    count = [int(line.split()[2]) for line in lines if line.startswith("element")]
-    assert lines == ["ply", "format binary_little_endian 1.0", "element vertex %d" % count[0], "property double x",
-                     "property double y", "property double z", "element face %d" % count[1],
-                     "property list uchar int vertex_indices", ""]
-    assert len(body) == 24 * count[0] + 13 * count[1]
-    faces = list(struct.iter_unpack("<B3i", body[24 * count[0]:]))
-    assert all(face[0] == 3 for face in faces)
-    return list(struct.iter_unpack("<3d", body[:24 * count[0]])), [face[1:] for face in faces]
-
-
-def read_obj(path):
-    found = {"v": [], "f": []}
-    for line in volumes.read(path).decode().splitlines():
-        word, *values = line.split()
-        if word != "#":
-            assert len(values) == 3
-            found[word].append(tuple(float(x) if word == "v" else int(x) - 1 for x in values))
-    return found["v"], found["f"]
-
-
-def read_glb_parts(path):
-    """The JSON and the bytes behind it, as the specification has it."""
-    data = volumes.read(path)
-    assert struct.unpack_from("<4sII", data) == (b"glTF", 2, len(data)) and len(data) % 4 == 0
-    length, kind = struct.unpack_from("<I4s", data, 12)
-    assert kind == b"JSON" and length % 4 == 0
-    about, rest = json.loads(data[20:20 + length]), data[20 + length:]
-    assert about["asset"]["version"] == "2.0"
-    if rest:
-        assert struct.unpack_from("<I4s", rest) == (len(rest) - 8, b"BIN\0") and about["buffers"] == [{"byteLength": len(rest) - 8}]
-    return about, rest[8:]
-
-
-def read_glb(path):
-    """Also places the vertices, in doubles."""
-    about, data = read_glb_parts(path)
-    assert about["scene"] == 0
-    if not data:
-        assert about["scenes"] == [{}] and "meshes" not in about
-        return [], []
-    (node,), (view, indices) = about["nodes"], about["bufferViews"]
-    assert about["scenes"] == [{"nodes": [0]}] and (view["target"], indices["target"]) == (34962, 34963)
-    positions, numbers = about["accessors"]
-    assert about["meshes"] == [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}]
-    assert (positions["componentType"], positions["type"], numbers["componentType"], numbers["type"]) == (5126, "VEC3", 5125, "SCALAR")
-    assert view["byteLength"] == 12 * positions["count"] and indices["byteLength"] == 4 * numbers["count"]
-    assert view["byteLength"] == indices["byteOffset"] and indices["byteOffset"] + indices["byteLength"] == len(data)
-    vertices = list(struct.iter_unpack("<3f", data[:indices["byteOffset"]]))
-    assert positions["min"] == [min(v[a] for v in vertices) for a in range(3)]
-    assert positions["max"] == [max(v[a] for v in vertices) for a in range(3)]
-    placed = [tuple(o + x * s for o, x, s in zip(node["translation"], v, node["scale"])) for v in vertices]
-    return placed, list(struct.iter_unpack("<3I", data[indices["byteOffset"]:]))
-
-
-READERS = {".ply": read_ply, ".obj": read_obj, ".glb": read_glb}
+def read(path):
+    vertices, triangles, _ = readers.mesh(path)
+    return list(map(tuple, vertices.tolist())), list(map(tuple, triangles.tolist()))
 
 
 def faces(cells):

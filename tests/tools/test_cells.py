@@ -1,18 +1,15 @@
 """tribox voxelize: the cells of every grid, in every format, by every way: whole, threads, pipes, tiles, partitions, shards."""
 
 import itertools
-import json
 import os
 import re
-import struct
 import subprocess
-import zipfile
 
 import harness
 import numpy as np
 import readers
 import triangles as meshes
-from harness import SEED, read, text_of
+from harness import read, text_of
 
 LATTICE = meshes.lattice_triangles(24, seed=5)
 # Triangles of floats, three cells long or so, where floats are 1/16 apart, whose planes float would move.

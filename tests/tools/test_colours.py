@@ -12,11 +12,12 @@ import sys
 import tempfile
 
 import coloured
-import meshes
-import support
-import volumes
+import harness
+import numpy as np
+import readers
+import triangles as meshes
 
-SEED = int(os.environ.get("TRIBOX_TEST_SEED", "1"))
+SEED = harness.SEED
 HERE = os.path.dirname(os.path.abspath(__file__))
 GRID = ("--cell", "0.5,0.75,0.5", "--origin=-2,-2.25,-2", "--size", "8,6,9")
 ABOUT = {"origin": [-2, -2.25, -2], "cell": [0.5, 0.75, 0.5], "size": [8, 6, 9]}
@@ -30,12 +31,11 @@ def pick_colours(count, seed):
 
 @functools.lru_cache
 def scene():
-    print("seed", SEED)
     triangles = meshes.lattice_triangles(14, seed=SEED)
     return triangles, coloured.lowest(triangles, ABOUT)
 
 
-class Colours(support.TestCase):
+class Colours(harness.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.triangles, cls.lowest = scene()
@@ -58,7 +58,7 @@ class Colours(support.TestCase):
     def check(self, name, content, colours, whose):
         mesh = self.write(name, content)
         out, found = self.voxelize(mesh, "cells.vox")
-        self.assertEqual(coloured.read_vox(out), self.cells(colours), name)
+        self.assertEqual(readers.palette_of(out), self.cells(colours), name)
         self.assertEqual(found["colours"], whose, name)
 
 
@@ -101,7 +101,7 @@ class Meshes(Colours):
         if own:
             document["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": 12 * len(own)})
             document["accessors"].append({"bufferView": 2, "componentType": 5126, "count": len(own), "type": "VEC3"})
-            data += b"".join(struct.pack("<3f", *map(coloured.linear, colour)) for colour in own)
+            data += b"".join(struct.pack("<3f", *map(readers.linear, colour)) for colour in own)
         for n, material in enumerate(materials):
             corners = [c for triangle in self.corners[n::count] for c in triangle]
             document["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": 4 * len(corners)})
@@ -121,16 +121,16 @@ class Meshes(Colours):
         """Its triangles come primitive by primitive."""
         lowest = coloured.lowest([self.triangles[n] for n in order], ABOUT)
         out, found = self.voxelize(self.write(name, content), "cells.vox")
-        self.assertEqual(coloured.read_vox(out), {cell: colours[order[number]] for cell, number in lowest.items()}, name)
+        self.assertEqual(readers.palette_of(out), {cell: colours[order[number]] for cell, number in lowest.items()}, name)
         self.assertEqual(found["colours"], whose, name)
 
     @staticmethod
     def base(colour, **more):
-        return {"pbrMetallicRoughness": {"baseColorFactor": [*map(coloured.linear, colour), 1], **more}}
+        return {"pbrMetallicRoughness": {"baseColorFactor": [*map(readers.linear, colour), 1], **more}}
 
     def test_gltf(self):
         """Light becomes bytes; materials and colours of vertices are multiplied; textures are said to be left out."""
-        if not support.has_libassimp():
+        if harness.lacks("libassimp"):
             self.skipTest("built without libassimp")
         three = pick_colours(3, SEED + 2)
         content, order = self.gltf(list(map(self.base, three)))
@@ -143,32 +143,32 @@ class Meshes(Colours):
         self.check_gltf("both.gltf", content, order, [(c[0], c[1] if n % 2 else 0, c[2]) for n, c in enumerate(self.colours)], "vertices")
         content, _ = self.gltf([self.base(three[0]), self.base((255, 255, 255), baseColorTexture={"index": 0})])
         mesh, out = self.write("texture.gltf", content), self.path("x.vox")
-        self.succeed_with_note("%d of %d triangles have a texture, which is not read: they are grey" % (count // 2, count), "voxelize",
-                               mesh, *GRID, "--colours", "-q", "-o", out)
-        self.assertTrue(set(coloured.read_vox(out).values()) <= {three[0], coloured.GREY})
+        self.succeed("voxelize", mesh, *GRID, "--colours", "-q", "-o", out,
+                     note="%d of %d triangles have a texture, which is not read: they are grey" % (count // 2, count))
+        self.assertTrue(set(readers.palette_of(out).values()) <= {three[0], coloured.GREY})
         content, _ = self.gltf([self.base((255, 255, 255), baseColorTexture={"index": 0})])
         self.fail_with(1, "has no colours: .*not of textures", "voxelize", self.write("only.gltf", content), *GRID, "--colours", "-o", out)
 
     def test_own_glb(self):
         """What is written is read again: the cells of a mesh of cells have their colours."""
-        if not support.has_libassimp():
+        if harness.lacks("libassimp"):
             self.skipTest("built without libassimp")
         mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
         glb, _ = self.voxelize(mesh, "cells.glb")
         again, found = self.voxelize(glb, "again.vox")
         self.assertEqual(found["colours"], "vertices")
-        self.assertTrue(set(coloured.read_vox(again).values()) <= set(self.colours))
+        self.assertTrue(set(readers.palette_of(again).values()) <= set(self.colours))
 
     def test_polygons(self):
         """A polygon has one colour, also where its corners have some; lines and points have none."""
         square = [(-1.9, y, z) for y, z in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         vertices, polygons = square + self.vertices, [(0, 1, 2, 3), (0, 1), (2,), *(tuple(n + 4 for n in c) for c in self.corners)]
         triangles = [tuple(square[:3]), (square[0], square[2], square[3]), *self.triangles]
-        lowest = coloured.lowest([tuple(tuple(map(volumes.float_of, v)) for v in t) for t in triangles], ABOUT)
+        lowest = coloured.lowest([tuple(tuple(map(float, map(np.float32, v))) for v in t) for t in triangles], ABOUT)
         own = pick_colours(len(vertices), SEED + 2)
         means = [coloured.mean([own[n] for n in polygon]) for polygon in polygons if len(polygon) > 2]
         out, _ = self.voxelize(self.write("polygons.ply", coloured.ply(vertices, polygons, own)), "cells.vox")
-        self.assertEqual(coloured.read_vox(out), {cell: means[max(number - 1, 0)] for cell, number in lowest.items()})
+        self.assertEqual(readers.palette_of(out), {cell: means[max(number - 1, 0)] for cell, number in lowest.items()})
 
     def test_strips(self):
         own = pick_colours(4, SEED)
@@ -180,7 +180,7 @@ class Meshes(Colours):
         triangles = [(0, 1, 2), (1, 2, 3), (3, 2, 1)]
         out, _ = self.voxelize(self.write("strips.ply", content), "cells.vox")
         lowest = coloured.lowest([tuple(square[n] for n in t) for t in triangles], ABOUT)
-        self.assertEqual(coloured.read_vox(out),
+        self.assertEqual(readers.palette_of(out),
                          {cell: coloured.mean([own[n] for n in triangles[t]]) for cell, t in lowest.items()})
 
     def test_off(self):
@@ -243,12 +243,12 @@ class Materials(Colours):
         mixed = [means[n] if all(c % 9 for c in corners) else self.expected(tuple(self.NAMES))[n]
                  for n, corners in enumerate(self.corners)]
         mesh = self.write("some.obj", self.obj(vertices=some))
-        self.assertEqual(coloured.read_vox(self.voxelize(mesh, "cells.vox")[0]), self.cells(mixed))
+        self.assertEqual(readers.palette_of(self.voxelize(mesh, "cells.vox")[0]), self.cells(mixed))
 
     def grey(self, name, content, pattern, names):
         mesh, out = self.write(name, content), self.path("grey.vox")
-        self.succeed_with_note(pattern, "voxelize", mesh, *GRID, "--colours", "-q", "-o", out)
-        self.assertEqual(coloured.read_vox(out), self.cells(self.expected(names)))
+        self.succeed("voxelize", mesh, *GRID, "--colours", "-q", "-o", out, note=pattern)
+        self.assertEqual(readers.palette_of(out), self.cells(self.expected(names)))
 
     def test_missing(self):
         self.write("scene.mtl", self.LIBRARY)
@@ -263,7 +263,7 @@ class Materials(Colours):
                   "its materials '.*/lost.mtl' are no file that can be read", names)
 
     def test_none(self):
-        result = support.run("voxelize", self.write("none.obj", self.obj("mtllib none.mtl\n")), *GRID, "--colours", "-o",
+        result = harness.run("voxelize", self.write("none.obj", self.obj("mtllib none.mtl\n")), *GRID, "--colours", "-o",
                              self.path("no.vox"))
         self.assertEqual(result.code, 1)
         self.assertRegex(result.stderr,
@@ -271,7 +271,7 @@ class Materials(Colours):
         self.assertFalse(os.path.exists(self.path("no.vox")))
 
 
-class Example(support.TestCase):
+class Example(harness.TestCase):
     def test_scene(self):
         """The example's nine materials are the palette, each as it is written, and every one is seen."""
         subprocess.run([sys.executable, "-B", os.path.join(HERE, "../../examples/colours/scene.py")], cwd=self.folder, check=True,
@@ -280,7 +280,7 @@ class Example(support.TestCase):
         self.succeed("voxelize", os.path.join(self.folder, "scene.obj"), "--resolution", "64", "--colours", "-q", "-o", out)
         with open(os.path.join(self.folder, "scene.mtl")) as file:
             kd = [[float(x) for x in line.split()[1:]] for line in file if line.startswith("Kd")]
-        self.assertEqual(set(coloured.read_vox(out).values()), {tuple(int(255 * x + 0.5) for x in colour) for colour in kd})
+        self.assertEqual(set(readers.palette_of(out).values()), {tuple(int(255 * x + 0.5) for x in colour) for colour in kd})
         self.assertEqual(len(kd), 9)
 
 
@@ -292,34 +292,33 @@ class Files(Colours):
 
     def test_meshes(self):
         """Every face of a cell has the colour of its cell, and there are no others."""
-        for ending, read in coloured.READERS.items():
+        for ending in readers.MESHES:
             out, _ = self.voxelize(self.mesh, "cells" + ending)
-            self.assertEqual(coloured.faces_of(read(out), ABOUT), coloured.faces_expected(self.expected), ending)
+            self.assertEqual(coloured.faces_of(coloured.triangles_of(out), ABOUT), coloured.faces_expected(self.expected), ending)
 
     def test_merged(self):
         """Where all have one colour, there are as many triangles as without colours; else there is no more than a square for a face."""
         counts = []
         for colours in ([(9, 8, 7)] * len(self.corners), self.colours):
             mesh = self.write("one.ply", coloured.ply(self.vertices, self.corners, face_colours=colours))
-            counts.append(len(list(coloured.read_ply(self.voxelize(mesh, "one_cells.ply")[0]))))
+            counts.append(len(list(coloured.triangles_of(self.voxelize(mesh, "one_cells.ply")[0]))))
         self.succeed("voxelize", self.mesh, *GRID, "-q", "-o", self.path("plain.ply"))
-        head = volumes.read(self.path("plain.ply")).split(b"end_header")[0].decode()
+        head = harness.read(self.path("plain.ply")).split(b"end_header")[0].decode()
         self.assertIn("element face %d\n" % counts[0], head)
         self.assertGreater(counts[1], counts[0])
 
     def test_numpy(self):
         for options in ((), ("--deflate",)):
-            (found,) = self.foreign("numpy_colours", self.voxelize(self.mesh, "cells.npz", *options)[0])
-            self.assertEqual({tuple(cell): tuple(colour) for cell, colour in found}, self.expected)
+            self.assertEqual(readers.read(self.voxelize(self.mesh, "cells.npz", *options)[0], None, "colours"), self.expected)
 
     def test_openvdb(self):
-        support.skip_without_openvdb(self)
+        self.need("OpenVDB")
         (found,) = self.foreign("openvdb_colours", self.voxelize(self.mesh, "cells.vdb")[0])
         self.assertEqual({tuple(cell) for cell in found["cells"]}, set(self.expected))
         self.assertEqual({tuple(cell) for cell, _ in found["colours"]}, set(self.expected))
         for cell, colour in found["colours"]:
             for light, byte in zip(colour, self.expected[tuple(cell)]):
-                self.assertAlmostEqual(light, coloured.linear(byte), places=6)
+                self.assertAlmostEqual(light, readers.linear(byte), places=6)
         self.assertEqual(found["middle"], [o + c / 2 for o, c in zip(ABOUT["origin"], ABOUT["cell"])])
 
     def test_vtk(self):
@@ -348,7 +347,7 @@ class Files(Colours):
         return os.path.join(folder.name, "node_modules/three")
 
     def test_three(self):
-        paths = [self.voxelize(self.mesh, "cells" + ending)[0] for ending in coloured.READERS]
+        paths = [self.voxelize(self.mesh, "cells" + ending)[0] for ending in readers.MESHES]
         done = subprocess.run(["node", os.path.join(HERE, "three.mjs"), self.three(), *paths], capture_output=True, timeout=100)
         self.assertEqual(done.returncode, 0, done.stderr)
         expected = coloured.faces_expected(self.expected)
@@ -360,14 +359,13 @@ class Files(Colours):
             for face, (light,) in faces.items():
                 (colour,) = expected[face]
                 for x, byte in zip(light, colour):
-                    self.assertAlmostEqual(x, coloured.linear(byte), delta={".obj": 2e-4, ".ply": 4e-3, ".glb": 2e-5}[path[-4:]])
+                    self.assertAlmostEqual(x, readers.linear(byte), delta={".obj": 2e-4, ".ply": 4e-3, ".glb": 2e-5}[path[-4:]])
 
     def test_preview(self):
         """Cells of one colour, lit: pixels have its hue, those of the ground do not."""
         mesh = self.write("blue.ply", coloured.ply(self.vertices, self.corners, face_colours=[(0, 0, 255)] * len(self.corners)))
         self.voxelize(mesh, "cells.vox", "--preview", self.path("blue.png"), "--picture-size", "160x120")
-        _, _, rows = volumes.read_png(self.path("blue.png"))
-        pixels = [row[x:x + 3] for row in rows for x in range(0, len(row), 3)]
+        pixels = readers.read_png(self.path("blue.png")).reshape(-1, 3).tolist()
         blue = sum(p[2] > 2 * p[0] + 30 and p[2] > 2 * p[1] + 30 for p in pixels)
         self.assertGreater(blue, len(pixels) // 8)
         self.assertLess(blue, len(pixels) // 2)
@@ -387,8 +385,8 @@ class Palette(Colours):
         if count <= 255:
             self.succeed(*arguments)
         else:
-            self.succeed_with_note(r"note: .* has the 255 colours of its palette for more", *arguments)
-        found = coloured.read_vox(out)
+            self.succeed(*arguments, note="note: .* has the 255 colours of its palette for more")
+        found = readers.palette_of(out)
         self.assertEqual(set(found), {(n % 200, n // 200, 0) for n in range(count)})
         return [(found[n % 200, n // 200, 0], colour) for n, colour in enumerate(colours)]
 
@@ -433,7 +431,7 @@ class Ways(Colours):
                     self.succeed("voxelize", mesh, "--cell", "0.0154,0.2,0.2", "--origin=-2,-2,-2", "--size", "260,20,20",
                                  "--colours", "-q", "-t",
                                  threads, "-o", out)
-                    written.add(volumes.read(out))
+                    written.add(harness.read(out))
                 self.assertEqual(len(written), 1, (name, word))
 
     def test_cells_are_the_same(self):
@@ -443,21 +441,21 @@ class Ways(Colours):
         plain = json.loads(self.succeed("voxelize", mesh, *GRID, "--json", "-o", self.path("cells.npy")))
         self.assertEqual(found["occupied"], plain["occupied"])
         self.assertNotIn("colours", plain)
-        self.assertEqual(volumes.read_npy(self.path("cells.npy"))[1], set(self.lowest))
+        self.assertEqual(readers.places_of(self.path("cells.npy")), set(self.lowest))
 
     def test_no_cell(self):
         mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
         for ending in (".vox", ".npz", ".ply", ".obj", ".glb"):
             self.succeed("voxelize", mesh, "--cell", "1", "--origin", "50,50,50", "--size", "3,4,5", "--colours", "-q", "-o",
                          self.path("no" + ending))
-        self.assertEqual(coloured.read_vox(self.path("no.vox")), {})
+        self.assertEqual(readers.palette_of(self.path("no.vox")), {})
 
     def test_shift(self):
         mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
         self.succeed("voxelize", mesh, "--shift", "1,2,3", "--cell", "0.5,0.75,0.5", "--origin=-3,-4.25,-5", "--size", "8,6,9",
                      "--colours", "-q",
                      "-o", self.path("cells.ply"))
-        self.assertEqual(coloured.faces_of(coloured.read_ply(self.path("cells.ply")), ABOUT),
+        self.assertEqual(coloured.faces_of(coloured.triangles_of(self.path("cells.ply")), ABOUT),
                          coloured.faces_expected(self.cells(self.colours)))
 
 
@@ -493,4 +491,4 @@ class Refusals(Colours):
 
 
 if __name__ == "__main__":
-    support.main()
+    harness.main()

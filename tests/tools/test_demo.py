@@ -5,8 +5,8 @@ import json
 import os
 import re
 
-import support
-import volumes
+import harness
+import readers
 
 ACCURACIES = ["fast", "conservative", "exact"]
 ROW = re.compile(r"(?m)^(\w+) +(-|fast|conservative|exact|mesh)((?: +[\d.]+){6})$")
@@ -14,7 +14,7 @@ ROW = re.compile(r"(?m)^(\w+) +(-|fast|conservative|exact|mesh)((?: +[\d.]+){6})
 
 @functools.lru_cache
 def quick_demo():
-    return support.run("demo", "--quick").stdout
+    return harness.run("demo", "--quick").stdout
 
 
 def found(text):
@@ -23,7 +23,7 @@ def found(text):
         re.search(r"(\d+) of them occupied", text)[1]
 
 
-class Demo(support.TestCase):
+class Demo(harness.TestCase):
     def expected_rows(self):
         kernels = json.loads(self.succeed("info", "--json"))["kernels"]
         return [("paper", None)] + [(kernel, accuracy) for k, kernel in enumerate(kernels)
@@ -49,25 +49,25 @@ class Demo(support.TestCase):
 
     def test_picture_of_the_voxels(self):
         path = os.path.join(self.folder, "knot.png")
-        result = support.run("demo", "--quick", "--picture", path, cwd=self.folder)
+        result = harness.run("demo", "--quick", "--picture", path, cwd=self.folder)
         if "built without libpng" in result.stderr:
             self.assertEqual((result.code, os.listdir(self.folder)), (1, []))
             self.skipTest("built without libpng")
         self.assertEqual((result.code, result.stderr, os.listdir(self.folder)), (0, "", ["knot.png"]))
         self.assertRegex(result.stdout, r"(?m)^Voxels of the mesh: 123 x 128 x 53 cells, \d+ of them occupied; [\d.]+ ms, ")
         self.assertIn("drawn in %s\n" % path, result.stdout)
-        self.assertEqual(volumes.png_size(path), (1280, 960))
+        self.assertEqual(readers.open_png(path)[:2], (1280, 960))
         self.fail_with(2, "--picture: 'knot.jpg' does not end in .png", "demo", "--picture", "knot.jpg")
         self.fail_with(1, "none/knot.png: cannot write there", "demo", "--quick", "--picture", self.folder + "/none/knot.png")
 
-    @support.unless_sanitized
+    @harness.unless_sanitized
     def test_where_the_picture_goes(self):
-        result = support.run("demo", cwd=self.folder)
+        result = harness.run("demo", cwd=self.folder)
         drawn = os.listdir(self.folder)
         self.assertIn(drawn, (["tribox-demo.png"], []))  # none without libpng
         self.assertEqual("drawn in tribox-demo.png" in result.stdout, bool(drawn))
 
-    @support.unless_sanitized
+    @harness.unless_sanitized
     def test_answers_repeat(self):
         self.assertEqual(found(self.succeed("demo", "--quick")), found(quick_demo()))
         for overlapping, count in zip(found(quick_demo())[0], (100000, 200000)):
@@ -75,4 +75,4 @@ class Demo(support.TestCase):
 
 
 if __name__ == "__main__":
-    support.main()
+    harness.main()

@@ -3,7 +3,6 @@
 import itertools
 import os
 import random
-import re
 import resource
 import shutil
 import signal

@@ -1,10 +1,7 @@
 """tribox voxelize of what is inside, of labels, of ids and of thin surfaces: every format, against answers found without the program."""
 
 import itertools
-import os
-import re
 import resource
-import struct
 
 import harness
 import numpy as np

@@ -9,22 +9,21 @@ import struct
 import subprocess
 import time
 
-import meshes
-import support
-import volumes
+import triangles as meshes
+import harness
 
 
-class Output(support.TestCase):
+class Output(harness.TestCase):
     def setUp(self):
         super().setUp()
         self.mesh = self.write("mesh.obj", meshes.obj([((0, 0, 0), (1.5, 0, 0), (0, 1.5, 0))] * 3000))
         self.commands = [("--help",), ("--version",), ("info",), ("info", "--json"), ("info", "--help"), ("demo", "--help"),
                          ("demo", "--quick"), ("overlap", "--help")]
-        self.commands += [("overlap", self.mesh, "--box", support.UNIT_BOX, *more) for more in ((), ("--list",), ("--json",))]
+        self.commands += [("overlap", self.mesh, "--box", harness.UNIT_BOX, *more) for more in ((), ("--list",), ("--json",))]
 
     def lose_output(self, redirection):
         for command in self.commands:
-            done = subprocess.run(["sh", "-c", 'exec "$0" "$@" ' + redirection, support.program(), *command], capture_output=True,
+            done = subprocess.run(["sh", "-c", 'exec "$0" "$@" ' + redirection, harness.program(), *command], capture_output=True,
                                   timeout=120)
             self.assertEqual(done.returncode, 1, command)
             self.assert_one_line(done.stderr.decode(), "cannot write the output: ")
@@ -43,7 +42,7 @@ class Output(support.TestCase):
             self.skipTest("no /dev/full here")
         boxes = self.write("boxes.txt", "0 0 0 1 1 1\n" * 3 + "wrong\n")
         with open("/dev/full", "wb") as full:
-            done = subprocess.run([support.program(), "overlap", self.mesh, "--boxes", boxes], stdout=full, stderr=subprocess.PIPE)
+            done = subprocess.run([harness.program(), "overlap", self.mesh, "--boxes", boxes], stdout=full, stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 1)
         self.assert_one_line(done.stderr.decode(), "cannot write the output: ")
 
@@ -52,7 +51,7 @@ WAYS = {"itself": lambda path, _: path, "folder": lambda path, _: os.path.join(o
         "hard": lambda path, link: os.link(path, link) or link, "symbolic": lambda path, link: os.symlink(path, link) or link}
 
 
-class Pairs(support.TestCase):
+class Pairs(harness.TestCase):
     """Files that get in each other's way."""
 
     def path(self, *names):
@@ -60,23 +59,23 @@ class Pairs(support.TestCase):
 
     def contents(self):
         paths = [os.path.join(folder, name) for folder, _, names in os.walk(self.folder) for name in names]
-        return {path: volumes.read(path) for path in paths}
+        return {path: harness.read(path) for path in paths}
 
     def commands(self):
         """Each with what it reads and its options for files."""
         triangles, cells = meshes.lattice_triangles(40, seed=1), ("-o", "--preview")
-        mesh, stream = self.write("m.ply", meshes.ply_binary(triangles)), self.write("s.f32", meshes.pack_floats(triangles))
+        mesh, stream = self.write("m.ply", meshes.ply_of(triangles)), self.write("s.f32", meshes.pack_floats(triangles))
         obj = self.write("m.obj", b"mtllib m.mtl\nusemtl a\n" + meshes.obj(triangles))
         materials, tiles, grid = self.write("m.mtl", "newmtl a\nKd 1 0 0\n"), self.path("tiles"), ("-r", "20")
         parts, raw = [self.path("1.part.npz"), self.path("2.part.npz")], ("--out-format", "raw")
         self.succeed("partition", mesh, *grid, "--ids", "-q", "-o", tiles)
         for n, part in enumerate(parts, 1):
             self.succeed("voxelize", mesh, *grid, "--shard", "%d/2" % n, "-q", "-o", part)
-        yield ("overlap", mesh, "--box", support.UNIT_BOX), [mesh], ("-o", "--rest")
+        yield ("overlap", mesh, "--box", harness.UNIT_BOX), [mesh], ("-o", "--rest")
         yield ("voxelize", mesh, *grid, *raw), [mesh], cells
         yield ("voxelize", "-", "--format", "f32", *grid, *raw), [stream], cells
         yield ("voxelize", obj, "--colours", *grid, "--out-format", "vox"), [obj, materials], cells[:1]
-        if support.has_libassimp():
+        if not harness.lacks("libassimp"):
             document, data = meshes.gltf_document(triangles, [{}])
             document["buffers"][0]["uri"] = "m.png"
             scene, buffer = self.write("m.gltf", json.dumps(document)), self.write("m.png", data)
@@ -92,7 +91,7 @@ class Pairs(support.TestCase):
                 continue  # a partition does not lose its own name of the file
             link = self.path("link" + os.path.splitext(one)[1])
             with open(self.stdin, "rb") as stdin:
-                done = subprocess.run([support.program(), *command, *options, give(one, link)], stdin=stdin, capture_output=True)
+                done = subprocess.run([harness.program(), *command, *options, give(one, link)], stdin=stdin, capture_output=True)
             self.assertEqual(done.returncode, 2, (command, options, done.stderr))
             self.assert_one_line(done.stderr.decode(), pattern)
             if os.path.lexists(link):
@@ -113,22 +112,22 @@ class Pairs(support.TestCase):
 
     def test_both_or_neither(self):
         """The last name cannot be given: it is too long."""
-        mesh, part, rest = (self.write("m.ply", meshes.ply_binary(meshes.lattice_triangles(40, seed=1))), self.path("part.ply"),
+        mesh, part, rest = (self.write("m.ply", meshes.ply_of(meshes.lattice_triangles(40, seed=1))), self.path("part.ply"),
                             self.path("x" * (os.pathconf(self.folder, "PC_NAME_MAX") - 3) + ".ply"))
         for before in (None, "what was there"):
             if before:
                 self.write("part.ply", before)
             there = self.contents()
             self.fail_with(1, "x.ply: cannot write all of it: File name too long; nothing of it was kept", "overlap", mesh, "--box",
-                           support.UNIT_BOX, "-o", part, "--rest", rest)
+                           harness.UNIT_BOX, "-o", part, "--rest", rest)
             self.assertEqual(self.contents(), there)
-        self.succeed("overlap", mesh, "--box", support.UNIT_BOX, "-o", part, "--rest", self.path("rest.ply"))
+        self.succeed("overlap", mesh, "--box", harness.UNIT_BOX, "-o", part, "--rest", self.path("rest.ply"))
         self.assertEqual(sorted(os.listdir(self.folder)), ["m.ply", "part.ply", "rest.ply"])
 
     def change(self, command, path, change):
         """Changes a file while the program waits for somebody to read more of what it writes."""
         there = sorted(os.listdir(self.folder))
-        process = subprocess.Popen([support.program(), *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process = subprocess.Popen([harness.program(), *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         process.stdout.read(1000)
         time.sleep(0.1)
         self.change_while_it_runs(process, path, change, there)
@@ -143,23 +142,23 @@ class Pairs(support.TestCase):
     def test_changed_meshes(self):
         """Cut, as most programs begin to save, or of another time."""
         triangles = meshes.lattice_triangles(6000, seed=1)
-        for name, write in (("m.ply", meshes.ply_binary), ("t.ply", meshes.ply_ascii), ("m.obj", meshes.obj), ("m.off", meshes.off),
+        for name, write in (("m.ply", meshes.ply_of), ("t.ply", meshes.FORMATS["ascii.ply"]), ("m.obj", meshes.obj), ("m.off", meshes.off),
                             ("m.stl", meshes.stl_binary), ("t.stl", meshes.stl_ascii), ("m.f32", meshes.pack_floats)):
             for change in (lambda path: os.utime(path, (0, 0)), lambda path: os.truncate(path, 0)):
                 mesh = self.write(name, write(triangles))
                 self.change(("overlap", mesh, "--box=-9,-9,-9,9,9,9", "-o", "-", "--rest", self.path("x" + name[1:])), mesh, change)
 
     def test_changed_partitions(self):
-        mesh, tiles = self.write("m.ply", meshes.ply_binary(meshes.lattice_triangles(300, seed=1))), self.path("tiles")
+        mesh, tiles = self.write("m.ply", meshes.ply_of(meshes.lattice_triangles(300, seed=1))), self.path("tiles")
         self.succeed("partition", mesh, "-r", "3000", "-q", "-o", tiles)
         there = sorted(os.listdir(self.folder))
-        process = subprocess.Popen([support.program(), "voxelize", tiles, "-t", "1", "-q", "-o", self.path("x.npz")], stderr=subprocess.PIPE)
+        process = subprocess.Popen([harness.program(), "voxelize", tiles, "-t", "1", "-q", "-o", self.path("x.npz")], stderr=subprocess.PIPE)
         while process.poll() is None and sorted(os.listdir(self.folder)) == there:
             time.sleep(0.001)
         self.change_while_it_runs(process, self.path("tiles", "triangles"), lambda path: os.truncate(path, 0), there)
 
 
-class Json(support.TestCase):
+class Json(harness.TestCase):
     def test_paths(self):
         """Whatever bytes a path has, they can be had back from the object."""
         names = [b'quote" backslash\\ tab\t line\n',
@@ -173,12 +172,12 @@ class Json(support.TestCase):
             path = os.path.join(os.fsencode(self.folder), name)
             with open(path, "wb") as file:
                 file.write(bytes(36))
-            done = subprocess.run([support.program(), "overlap", path, "--format", "f32", "--box", support.UNIT_BOX, "--json"],
+            done = subprocess.run([harness.program(), "overlap", path, "--format", "f32", "--box", harness.UNIT_BOX, "--json"],
                                   capture_output=True, check=True)
             self.assertEqual(json.loads(done.stdout)["mesh"].encode("utf-8", "surrogateescape"), path)
 
 
-class Numbers(support.TestCase):
+class Numbers(harness.TestCase):
     """The shortest decimals that read back as the same floats."""
 
     def setUp(self):
@@ -213,7 +212,7 @@ class Numbers(support.TestCase):
             self.assertLessEqual(len(text.split("e")[0].replace(".", "").strip("0")), 9)
 
 
-class Locale(support.TestCase):
+class Locale(harness.TestCase):
     def make_locale(self):
         """Compiles a German locale into the test's folder; None where that cannot be done."""
         if not shutil.which("localedef"):
@@ -238,4 +237,4 @@ class Locale(support.TestCase):
 
 
 if __name__ == "__main__":
-    support.main()
+    harness.main()

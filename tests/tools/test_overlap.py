@@ -16,7 +16,7 @@ import time
 import harness
 import numpy as np
 import triangles as meshes
-from harness import MIB, UNIT_BOX, read, text_of
+from harness import MIB, UNIT_BOX, text_of
 
 BLOCK = 4096  # triangles, as in tools/read/triangle_file.h
 STAGES = ["none", "in file order", "ordered"]

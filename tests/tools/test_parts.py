@@ -4,7 +4,6 @@ import io
 import itertools
 import json
 import os
-import re
 import resource
 import shutil
 import struct

@@ -1,31 +1,16 @@
 """tribox voxelize --preview: the right axis is up, what is right is right, shadows fall, and nothing hidden shows."""
 
-import itertools
 import os
 
-import meshes
-import support
-import volumes
+import triangles as meshes
+import harness
+import readers
 
 WIDTH, HEIGHT = 160, 120
 
 
-def box(lo, hi):
-    """The twelve triangles of a box."""
-    triangles = []
-    for a, side in itertools.product(range(3), (lo, hi)):
-        b, c = (a + 1) % 3, (a + 2) % 3
-        corners = []
-        for p, q in ((lo, lo), (hi, lo), (hi, hi), (lo, hi)):
-            corner = [0, 0, 0]
-            corner[a], corner[b], corner[c] = side[a], p[b], q[c]
-            corners.append(tuple(corner))
-        triangles += [tuple(corners[:3]), (corners[0], corners[2], corners[3])]
-    return triangles
-
-
 # Stands along z on a foot that reaches along x.
-LETTER_L = box((0, 0, 0), (1, 1, 4)) + box((0, 0, 0), (3, 1, 1))
+LETTER_L = meshes.cube((0, 0, 0), (1, 1, 4)) + meshes.cube((0, 0, 0), (3, 1, 1))
 
 
 def is_clay(pixel):
@@ -35,8 +20,9 @@ def is_clay(pixel):
 
 class Picture:
     def __init__(self, path):
-        self.width, self.height, rows = volumes.read_png(path)
-        self.rows = [[tuple(row[3 * x:3 * x + 3]) for x in range(self.width)] for row in rows]
+        pixels = readers.read_png(path)
+        self.height, self.width = pixels.shape[:2]
+        self.rows = [list(map(tuple, row)) for row in pixels.tolist()]
         self.clay = [(x, y) for y, row in enumerate(self.rows) for x, pixel in enumerate(row) if is_clay(pixel)]
 
     def bounds(self):
@@ -58,11 +44,11 @@ class Picture:
         return ["upper left", "upper right", "lower left", "lower right"][shares.index(min(shares))]
 
 
-class Preview(support.TestCase):
+class Preview(harness.TestCase):
     def setUp(self):
         super().setUp()
         self.mesh = self.write("mesh.obj", meshes.obj(LETTER_L))
-        probe = support.run("voxelize", self.path("none.obj"), "--cell", "1", "-o", self.path("x.npy"), "--preview", "x.png")
+        probe = harness.run("voxelize", self.path("none.obj"), "--cell", "1", "-o", self.path("x.npy"), "--preview", "x.png")
         if "built without libpng" in probe.stderr:
             self.skipTest("built without libpng")
 
@@ -72,7 +58,7 @@ class Preview(support.TestCase):
     def draw(self, *options, mesh=None, size="%dx%d" % (WIDTH, HEIGHT)):
         self.succeed("voxelize", mesh or self.mesh, "-o", self.path("out.npy"), "--preview", self.path("p.png"), "--quiet",
                      *(("--picture-size", size) if size else ()), *options)
-        return volumes.read(self.path("p.png"))
+        return harness.read(self.path("p.png"))
 
     def picture(self, *options, **how):
         self.draw(*options, **how)
@@ -85,7 +71,7 @@ class Preview(support.TestCase):
 
     def size_of(self, size):
         self.draw("--resolution", "8", size=size)
-        return volumes.png_size(self.path("p.png"))
+        return readers.open_png(self.path("p.png"))[:2]
 
     def test_same_for_every_thread_count(self):
         self.assertEqual(len({self.draw("--resolution", "9", "--threads", n) for n in ("1", "2", "7")}), 1)
@@ -128,7 +114,7 @@ class Preview(support.TestCase):
         self.assertGreater(sides[0], sides[2] + 100)
 
     def cube(self):
-        return self.write("cube.obj", meshes.obj(box((0, 0, 0), (1, 1, 1))))
+        return self.write("cube.obj", meshes.obj(meshes.cube((0, 0, 0), (1, 1, 1))))
 
     def test_shadow(self):
         """The ground is dark on the right, away from the sun, and as bright as the background on the left."""
@@ -141,15 +127,15 @@ class Preview(support.TestCase):
         self.assertLess(dark(range(left - 2)), 20)
 
     def test_hidden_cells_do_not_show(self):
-        shell = box((0, 0, 0), (8, 6, 5))
-        inside = [t for n in range(4) for t in box((1 + 2 * n, 0.3, 0.3), (2 + 2 * n, 5.7, 4.7))]
+        shell = meshes.cube((0, 0, 0), (8, 6, 5))
+        inside = [t for n in range(4) for t in meshes.cube((1 + 2 * n, 0.3, 0.3), (2 + 2 * n, 5.7, 4.7))]
         empty, full = self.write("empty.obj", meshes.obj(shell)), self.write("full.obj", meshes.obj(shell + inside))
         for resolution in ("10", "77", "150"):
             self.assertEqual(self.draw("--resolution", resolution, mesh=empty), self.draw("--resolution", resolution, mesh=full))
 
     def test_edges_of_large_cells(self):
         """A wall of 6 x 6 cells has lines between them, one of fine cells is even."""
-        wall = self.write("wall.obj", meshes.obj(box((0, 0, 0), (6, 1, 6))))
+        wall = self.write("wall.obj", meshes.obj(meshes.cube((0, 0, 0), (6, 1, 6))))
 
         def changes(resolution):
             picture = self.picture("--resolution", resolution, mesh=wall)
@@ -165,7 +151,7 @@ class Preview(support.TestCase):
             self.succeed("voxelize", self.mesh, "--resolution", "7", "--shard", "%d/3" % (n + 1), "--quiet", "-o", part)
         look = ["--up", "y", "--picture-size", "80x60"]
         self.succeed("merge", *parts, "-o", self.path("m.npy"), "--preview", self.path("m.png"), "--quiet", *look)
-        self.assertEqual(volumes.read(self.path("m.png")), self.draw("--resolution", "7", *look, size=None))
+        self.assertEqual(harness.read(self.path("m.png")), self.draw("--resolution", "7", *look, size=None))
 
     def test_nothing_to_see(self):
         picture = self.picture("--cell", "1", "--origin", "50,50,50", "--size", "4,4,4")
@@ -186,7 +172,7 @@ class Preview(support.TestCase):
                 self.assertAlmostEqual(a, b, delta=4, msg=cell)
 
     def test_long_bar(self):
-        bar = self.write("bar.obj", meshes.obj(box((0, 0, 0), (0.5, 1500, 0.5))))
+        bar = self.write("bar.obj", meshes.obj(meshes.cube((0, 0, 0), (0.5, 1500, 0.5))))
         for cell in ("1", "1,1,0.000001"):
             self.assertTrue(self.picture("--cell", cell, "--size", "1,1501,1", mesh=bar).rows)
         self.assertTrue(self.picture("--cell", "1", mesh=bar).clay)
@@ -198,4 +184,4 @@ class Preview(support.TestCase):
 
 
 if __name__ == "__main__":
-    support.main()
+    harness.main()

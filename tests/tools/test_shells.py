@@ -5,12 +5,12 @@ import json
 import os
 import random
 
-import meshes
+import triangles as meshes
 import shells
-import support
-import volumes
+import harness
+import readers
 
-SEED = int(os.environ.get("TRIBOX_TEST_SEED", "1"))
+SEED = harness.SEED
 
 
 def block(nx, ny, nz):
@@ -43,7 +43,6 @@ SCENES = {
 
 def random_scenes(count):
     pick = random.Random(SEED)
-    print("seed", SEED)
     for n in range(count):
         size = [pick.randint(1, 9) for _ in range(3)]
         size[n % 3] = pick.choice((size[n % 3], 63, 64, 65))
@@ -51,7 +50,7 @@ def random_scenes(count):
         yield tuple(size), {c for c in block(*size) if pick.random() < share}
 
 
-class Shells(support.TestCase):
+class Shells(harness.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
@@ -64,7 +63,7 @@ class Shells(support.TestCase):
         out = self.path("cells" + ending)
         self.succeed("voxelize", self.points(cells), "--cell", "1", "--origin", "0,0,0", "--size", "%d,%d,%d" % size, "-q", "-o",
                      out, *options)
-        return shells.READERS[ending](out)
+        return shells.read(out)
 
 
 class Surface(Shells):
@@ -100,7 +99,7 @@ class Surface(Shells):
             self.check((24, 12, 2), cells, first)
 
     def test_clear_cells(self):
-        for ending in shells.READERS:
+        for ending in readers.MESHES:
             self.assertEqual(self.shell((3, 3, 3), set(), ending), ([], []))
 
 
@@ -111,16 +110,16 @@ class Places(Shells):
 
     def test_planes(self):
         """Vertices are on the planes of the grid and in their middle, the shift is given back; .ply, .obj and .glb agree."""
-        mesh = self.write("mesh.ply", meshes.ply_binary(meshes.lattice_triangles(9, seed=3)))
+        mesh = self.write("mesh.ply", meshes.ply_of(meshes.lattice_triangles(9, seed=3)))
         for name, options in self.GRIDS.items():
             found = {}
-            for ending in shells.READERS:
+            for ending in readers.MESHES:
                 about = json.loads(self.succeed("voxelize", mesh, *options, "--json", "-o", self.path("x" + ending)))
-                found[ending] = shells.READERS[ending](self.path("x" + ending))
+                found[ending] = shells.read(self.path("x" + ending))
             grid, shift = about["grid"], about.get("shift", [0, 0, 0])
             self.assertEqual(found[".ply"], found[".obj"])
             self.assertEqual(found[".ply"][1], found[".glb"][1])
-            planes = [[x + shift[a] for x in volumes.planes(grid, a)] for a in range(3)]
+            planes = [[x + shift[a] for x in meshes.planes(grid, a)] for a in range(3)]
             for vertex, other in zip(*(found[ending][0] for ending in (".ply", ".glb"))):
                 on_planes = [vertex[a] in planes[a] for a in range(3)]
                 self.assertGreaterEqual(sum(on_planes), 2, (name, vertex))
@@ -136,18 +135,18 @@ class Places(Shells):
             near = {tuple(x + d for x, d in zip(cell, step)) for step in itertools.product((-1, 0, 1), repeat=3)}
             touched |= {cell} if near & cells and near - cells else set()
         for ending in (".ply", ".obj", ".glb"):
-            if ending == ".glb" and not support.has_libassimp():
+            if ending == ".glb" and harness.lacks("libassimp"):
                 continue
             self.shell(size, cells, ending)
             self.succeed("voxelize", self.path("cells" + ending), "--cell", "1", "--origin", "0,0,0", "--size", "8,8,8", "-q", "-o",
                          self.path("again.npy"))
-            self.assertEqual(volumes.read_npy(self.path("again.npy"))[1], touched, ending)
+            self.assertEqual(readers.places_of(self.path("again.npy")), touched, ending)
 
 
 class Ways(Shells):
     def setUp(self):
         super().setUp()
-        self.mesh = self.write("mesh.ply", meshes.ply_binary(meshes.lattice_triangles(24, seed=9)))
+        self.mesh = self.write("mesh.ply", meshes.ply_of(meshes.lattice_triangles(24, seed=9)))
 
     GRID = ("--cell", "0.015625,0.03125,0.0625", "--origin=-2,-2,-2", "--size", "257,130,63")
 
@@ -160,7 +159,7 @@ class Ways(Shells):
             for n, part in enumerate(parts):
                 self.succeed("voxelize", self.mesh, *self.GRID, "-q", "--shard", "%d/3" % (n + 1), "-o", part)
             self.succeed("merge", *parts, "-q", "-o", self.path("merged." + word))
-            contents = {volumes.read(self.path(name + "." + word)) for name in ("1", "4", "merged")}
+            contents = {harness.read(self.path(name + "." + word)) for name in ("1", "4", "merged")}
             self.assertEqual(len(contents), 1, word)
 
     def test_filled(self):
@@ -168,13 +167,13 @@ class Ways(Shells):
         box = [(x, y, z) for x in (1.5, 5.5) for y in (1.5, 5.5) for z in (1.5, 5.5)]
         corners = ((0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4),
                    (1, 5, 7), (1, 7, 3))
-        mesh = self.write("box.ply", meshes.ply_binary([tuple(box[n] for n in c) for c in corners]))
+        mesh = self.write("box.ply", meshes.ply_of([tuple(box[n] for n in c) for c in corners]))
         grid = ("--cell", "1", "--origin", "0,0,0", "--size", "8,8,8", "-q")
         solid = {c for c in block(8, 8, 8) if min(c) >= 1 and max(c) <= 5}
         hollow = {c for c in solid if min(c) == 1 or max(c) == 5}
         for options, cells in (((), hollow), (("--fill", "outside"), solid), (("--fill", "parity"), solid)):
             self.succeed("voxelize", mesh, *grid, "-o", self.path("box_cells.ply"), *options)
-            shells.check(*shells.read_ply(self.path("box_cells.ply")), cells)
+            shells.check(*shells.read(self.path("box_cells.ply")), cells)
 
     def test_refused_before_the_work(self):
         for ending, size, reason in ((".glb", "8388609,1,1", r"\.glb holds at most 8388608 cells on each axis, .*; write .ply or .obj"),
@@ -188,15 +187,15 @@ class Ways(Shells):
         """Closed, no edge of more than two triangles, and as large as the cells: by VTK, what ParaView has."""
         size, cells = SCENES["an edge twice along z"]
         paths = []
-        for ending in shells.READERS:
+        for ending in readers.MESHES:
             self.shell(size, cells, ending)
             paths.append(self.path("cells" + ending))
         found = self.foreign("vtk_mesh", *paths)
-        vertices, triangles = shells.read_ply(paths[0])
+        vertices, triangles = shells.read(paths[0])
         for path, of_one in zip(paths, found):
             self.assertEqual((of_one["triangles"], of_one["vertices"], of_one["edges"]), (len(triangles), len(vertices), 0), path)
             self.assertAlmostEqual(of_one["volume"], len(cells), places=5)
 
 
 if __name__ == "__main__":
-    support.main()
+    harness.main()

@@ -15,8 +15,8 @@ import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tools"))
-import meshes  # noqa: E402
-import support  # noqa: E402
+import harness as support  # noqa: E402
+import triangles as meshes  # noqa: E402
 
 HERE, WINE, BUILD = map(os.path.abspath, sys.argv[1:4])
 NAMES = ("plain", "with a space", "h\u00e9 \u65e5\u672c", "\U0001f389 \u00df'%PATH%")
