@@ -1,4 +1,4 @@
-/* compiler.h - what is asked of compilers: arithmetic as it is written, inlining, prefetching, and the names of what kernels export. */
+/* compiler.h - what is asked of compilers: arithmetic as it is written, inlining, prefetching, and names that kernels export. */
 #ifndef TRIBOX_COMPILER_H
 #define TRIBOX_COMPILER_H
 

@@ -123,7 +123,7 @@ static int ask_block(void *data, void *place, size_t n)
     return code;
 }
 
-/* In the order of the file, so that the answer is the same for any number of threads. Fails early where the list cannot be written. */
+/* In the order of the file: the answer is the same for any number of threads. Fails early if the list cannot be written. */
 static int tell_block(void *data, void *place, size_t n)
 {
     stream *const s = data;
