@@ -286,8 +286,7 @@ class Truth(Asking):
             for turn, (lo, hi) in enumerate(boxes_about(triangles)):
                 mask, oriented = cases.truth(triangles, lo, hi), tribox.OrientedBox(triangles[turn, 0], np.subtract(hi, lo) / 3,
                                                                                     axis)
-                hits = cases.meshes.overlapping_oriented(triangles.tolist(), [*oriented.center.tolist(), *oriented.half.tolist(),
-                                                                             *np.ravel(axis)])
+                hits = cases.meshes.overlapping(triangles, [*oriented.center, *oriented.half, *np.ravel(axis)])
                 answers = {"axes7": mask, "inside": ((triangles >= lo) & (triangles <= hi)).all((1, 2)),
                            "oriented7": marked(np.array(hits, np.uint32), 24)}
                 self.check_forms(cases.Question(name=name, triangles=triangles, box=(tuple(lo), tuple(hi)), oriented=oriented,
