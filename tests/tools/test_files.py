@@ -228,6 +228,7 @@ class Signals(Files):
                           ("partition", mesh, "-r", "2000", "-m", "3000", "-q", "-o", self.path("out")),
                           ("voxelize", mesh, *TILES, "-q", "--shard", "1/1", "-o", self.path("out"))):
             arguments += ("--out-format", "npz") * (arguments[0] == "voxelize")
+            subprocess.run(["rm", "-rf", self.path("out")], check=True)
             before, start = self.there(), time.monotonic()
             self.succeed(*arguments)
             taken, whole = time.monotonic() - start, {path: read(path) for path in self.there() if os.path.isfile(path)}
