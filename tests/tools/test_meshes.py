@@ -285,8 +285,9 @@ class Bad(harness.TestCase):
         """One question about one box, and some about many, which need the mesh in memory."""
         for n, (name, content, pattern) in enumerate(BAD):
             if not (name.endswith((".gltf", ".glb")) and harness.lacks("libassimp")):
-                path = self.write(name, content)
-                self.refuse_file(path, pattern, *((), ("--boxes", "-", "--json"), ("--box", UNIT_BOX, "--list"))[n % 3])
+                with self.subTest(name=name, pattern=pattern, row=n):
+                    path = self.write(name, content)
+                    self.refuse_file(path, pattern, *((), ("--boxes", "-", "--json"), ("--box", UNIT_BOX, "--list"))[n % 3])
 
     def test_no_file(self):
         for ending in (".ply", ".stl", ".f32", ".obj"):
