@@ -213,13 +213,23 @@ class Signals(Files):
         """Once, or twice at once as programs with a limit of time do it, to the child and its group."""
         out, shard = self.write("big.npy", "what was there"), self.path("2.npz")
         again = "^tribox voxelize: interrupted: nothing was written; run "
-        for times in (1, *[2] * 10):
-            self.end(signal.SIGTERM, times, again + "it again$", "voxelize", self.mesh, *self.BIG, out)
+        for number, times in ((signal.SIGHUP, 1), (signal.SIGTERM, 1), *[(signal.SIGTERM, 2)] * 10):
+            self.end(number, times, again + "it again$", "voxelize", self.mesh, *self.BIG, out)
         self.end(signal.SIGKILL, 1, "", "voxelize", self.mesh, *self.BIG, out)
         self.assertEqual(read(out), b"what was there")
         many = self.write("many.f32", meshes.pack_floats(meshes.lattice_triangles(400, seed=2)))
         self.end(signal.SIGTERM, 1, again + "shard 2 of 3 again, parts that are there stay good", "voxelize", many, *grid_of("0.001", "-2,-2,-2", "4000,4000,4000"),
                  "-q", "--shard", "2/3", "-o", shard)
+
+    def test_ignored(self):
+        """As nohup has it, and a shell what it puts in the background: that ends nothing."""
+        there, ends = self.there(), (signal.SIGHUP, signal.SIGINT)
+        process = harness.start("voxelize", self.mesh, *self.BIG, self.path("x.npy"),
+                                preexec_fn=lambda: [signal.signal(number, signal.SIG_IGN) for number in ends])
+        self.wait_for(lambda: self.there() != there, process)
+        for number in ends:
+            process.send_signal(number)
+        self.assertEqual((process.communicate(timeout=60)[1], process.returncode, self.there()), (b"", 0, sorted([*there, self.path("x.npy")])))
 
     def test_at_any_moment(self):
         """Nothing stands under the name but the whole; after a signal that can be caught nothing is left beside it either."""
