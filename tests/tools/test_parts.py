@@ -181,6 +181,9 @@ class Parts(Voxels):
                              {"tiles": np.array([start + 1, end], "<u8")}), ("ends before the last tile", {"tiles": np.array([start, end - 1], "<u8")})):
             self.refuse_parts("rewritten.npz.*" + why, first, self.rewritten(second, **arrays))
 
+    def test_more_shards_than_tiles(self):
+        self.assertEqual(self.merged(*(self.part("%d/3" % n, grid=("-r", "9")) for n in (1, 2, 3))), self.out("voxelize", self.mesh, "-r", "9"))
+
     def test_summary(self):
         parts = [self.part("%d/2" % n) for n in (1, 2)]
         self.assertRegex(self.succeed("merge", *parts, "-o", self.path("m.npy")),
@@ -247,8 +250,9 @@ class Partitions(Voxels):
         for memory, threads in itertools.product(("1", "3000", "40K", "600K", "1G"), "17"):
             files, found, _ = self.partition(self.mesh, *GRID, "-m", memory, "-t", threads)
             self.assertEqual((files, found["spilled_bytes"] > 0), (whole, memory not in ("600K", "1G")), (memory, threads))
-        mesh = self.mesh_of([[[n / 1024, 0, 0], [0, 1 / 8, 0], [0, 0, 1 / 8]] for n in range(1001)])  # all of them in one tile
+        mesh = self.mesh_of([[[n / 1024, 0, 0], [0, 1 / 8, 0], [0, 0, 1 / 8]] for n in range(1025)])  # all of them in one tile, one more than are written at once
         whole, _, _ = self.partition(mesh, "-r", "64")
+        self.assertEqual(whole[1], read(mesh))
         for threads in "12":
             self.assertEqual(self.partition(mesh, "-r", "64", "-m", "1000", "-t", threads)[0], whole)
 
