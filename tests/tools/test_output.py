@@ -1,5 +1,6 @@
 """Where the answer goes: full and closed outputs, files that get in each other's way, and locales with a decimal comma."""
 
+import fcntl
 import json
 import os
 import random
@@ -35,6 +36,20 @@ class Output(harness.TestCase):
 
     def test_closed(self):
         self.lose_output(">&-")
+
+    def test_lost_on_the_way(self):
+        """A pipe has no room for the blocks, and some for what is left of the list after them."""
+        if not hasattr(fcntl, "F_SETPIPE_SZ"):
+            self.skipTest("pipes keep their size here")
+        reader, writer = os.pipe()
+        fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 4096)
+        os.set_blocking(writer, False)
+        os.write(writer, b"x")
+        result = harness.run("overlap", self.mesh, "--box", harness.UNIT_BOX, "--list", stdout=writer)
+        os.close(reader)
+        os.close(writer)
+        self.assertEqual(result.code, 1)
+        self.assert_one_line(result.stderr, "cannot write the output: ")
 
     def test_streaming_stops(self):
         """With the output gone, the rest of the boxes is not worked through."""

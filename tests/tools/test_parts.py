@@ -210,7 +210,8 @@ class Partitions(Voxels):
         reach = pick.choice([0.05, 0.05, 0.05, 0.3, 3], (2000, 1, 1))
         t = np.round(64 * (pick.uniform(-2.5, 2.5, (2000, 1, 3)) + reach * pick.uniform(-1, 1, (2000, 3, 3)))) / 64
         t[::150, 1, 2], t[75::300, 1, 2] = NAN, INF
-        self.triangles, self.mesh, self.number = t, self.mesh_of(t), 0
+        self.triangles, self.mesh, self.number, self.mask = t, self.mesh_of(t), 0, os.umask(0)
+        os.umask(self.mask)
 
     def partition(self, *words, names=("index", "triangles")):
         """The bytes of both files, the summary and the folder."""
@@ -219,6 +220,7 @@ class Partitions(Voxels):
         result = harness.run("partition", *words, "--json", "-o", folder)
         self.assertEqual(result.code, 0, result.stderr)
         self.assertEqual(sorted(os.listdir(folder)), sorted(names))
+        self.assertEqual(os.stat(folder).st_mode & 0o777, 0o777 & ~self.mask)
         return [read(os.path.join(folder, name)) for name in names], json.loads(result.stdout), folder
 
     def refuse_partition(self, code, pattern, *words, **how):
@@ -272,6 +274,15 @@ class Partitions(Voxels):
                     self.assertEqual(told["triangles"], len(t))
                 if ("f64" in endings) == (found["positions"] == "float64") or "auto" in options:
                     self.assertEqual(files, whole, endings)
+
+    def test_joined(self):
+        """Partitions of pieces become that of the whole, numbers included."""
+        for ids in ((), ("--ids",)):
+            names = ("index", "triangles", "numbers")[:2 + len(ids)]
+            pieces = [self.mesh_of(some, "piece%d" % n) for n, some in enumerate(np.array_split(self.triangles, 3))]
+            apart, whole = [self.partition(piece, *GRID, *ids, names=names)[2] for piece in pieces], self.partition(self.mesh, *GRID, *ids, names=names)[0]
+            for memory in ("1000", "1G"):
+                self.assertEqual(self.partition(*apart, "-m", memory, names=names)[0], whole)
 
     def test_layouts_of_ply(self):
         """Faces that refer to vertices anywhere; one element more, of nothing, has the file read as a whole."""
