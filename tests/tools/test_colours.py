@@ -196,6 +196,9 @@ class Meshes(Colours):
         self.check("share.off", off("OFF", lambda n: "", lambda n: share % tuple(c / 255 for c in self.colours[n])), self.colours,
                    "faces")
         self.check("vertices.off", off("COFF", lambda n: whole % own[n], lambda n: ""), means, "vertices")
+        some = [colour if n % 2 else (204, 204, 204) for n, colour in enumerate(own)]
+        self.check("some.off", off("COFF", lambda n: whole % own[n] if n % 2 else "", lambda n: ""),
+                   [coloured.mean([some[n] for n in corners]) for corners in self.corners], "vertices")
         self.check("normals.off", off("CNOFF", lambda n: " 0 0 1" + share % tuple(c / 255 for c in own[n]), lambda n: ""), means,
                    "vertices")
         self.fail_with(1, "has no colours: ", "voxelize", self.write("none.off", off("OFF", lambda n: "", lambda n: "")), *GRID,

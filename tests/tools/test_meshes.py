@@ -145,6 +145,20 @@ class Formats(harness.TestCase):
                 self.assertEqual([answer["overlapping"] > 0 for answer in answers], list(points.values()), (form, turned))
                 self.assertEqual(answers[0]["triangles"], triangles)
 
+    def test_far_back(self):
+        """Corners counted back from the last vertex, further than a face; one binary quadrilateral, whose second half alone is met."""
+        t = meshes.lattice_triangles(50, seed=1)
+        lines = meshes.obj(t).decode().splitlines()
+        vertices = "\n".join(["v 9 9 9", *(line for line in lines if line.startswith("v "))]) + "\n"
+        back = "".join("f %d %d %d\n" % (n, n + 1, n + 2) for n in range(-150, 0, 3))
+        boxes = [(*np.min(one, 0), *np.max(one, 0)) for one in t]
+        found = [[answer["indices"] for answer in self.answers(self.write(name, content), boxes, "--list")]
+                 for name, content in (("back.obj", vertices + back), ("floats.f32", meshes.pack_floats(t)))]
+        self.assertEqual(found[0], found[1])
+        square = [("vertex", meshes.XYZ, [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), ("face", meshes.CORNERS, [[[0, 1, 2, 3]]])]
+        for form in ("binary_little_endian", "binary_big_endian"):
+            self.assertEqual(self.overlap(self.write("square.ply", meshes.ply(square, form)), "0,0.9,0,0.1,1,0")["indices"], [1])
+
     def test_notes(self):
         crossed = "v 0 3 0\nv 1 3 0\nv 1 0 0\nv 2 2 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4 5 6\nf 1 2 3\n"
         text = self.succeed("overlap", self.write("crossed.obj", crossed), "--box", ALL, "--json",

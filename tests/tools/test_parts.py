@@ -335,6 +335,8 @@ class Partitions(Voxels):
         for memory, limit in itertools.product(("1G", "3000"), (500, 5000, 30000)):
             self.refuse_partition(1, "x: cannot write all of it: File too large; nothing of it was kept", "partition", self.mesh, *GRID, "-m", memory, "-o", x,
                                   limit=(resource.RLIMIT_FSIZE, limit))
+        self.refuse_partition(1, "x: cannot write all of it: File too large", "partition", self.mesh_of([((0, 0, 0), (1, 0, 0), (0, 1, 1))], "one"), "-r", "9",
+                              "-o", x, limit=(resource.RLIMIT_FSIZE, 100))  # for its index alone
 
     def test_damaged(self):
         """A changed byte is named, wherever it is."""
