@@ -230,12 +230,15 @@ class Partitions(Voxels):
 
     def test_tiles(self):
         """Each has its triangles in the order of the mesh, those with a corner in its box among them, and records add up."""
-        (index, triangles), found, _ = self.partition(self.mesh, *GRID, "-m", "9000")
+        (index, triangles), found, folder = self.partition(self.mesh, *GRID, "-m", "9000")
+        self.assertEqual((list(found), found["output"]), ("mesh inputs triangles positions not_finite grid tile tiles filled_tiles sorted spilled_bytes threads "
+                                                          "seconds output".split(), folder))
         t, cell = self.triangles, np.array([0.0101, 0.0145, 0.029])
         self.assertEqual(found["not_finite"], (~np.isfinite(t)).any((1, 2)).sum())
         self.assertEqual((found["grid"]["size"], found["tile"], found["tiles"]), (list(SIZE), 128, 24))
         of = {meshes.pack_floats(one): n for n, one in enumerate(t)}
         records = [struct.unpack_from("<4Q", index, at) for at in range(176, len(index), 32)]
+        self.assertEqual(found["filled_tiles"], len(records))
         places = [record[1] for record in records] + [len(triangles) // 36]
         self.assertEqual(places[-1], found["sorted"])
         for (tile, first, _, _), end in zip(records, places[1:]):
