@@ -46,7 +46,7 @@ class Result:
 
 
 def run(*arguments, stdin=b"", env=None, limit=None, cwd=None, stdout=subprocess.PIPE):
-    """Runs tribox with these arguments to its end. stdin: bytes or a file. limit: a resource and how much of it, as for setrlimit."""
+    """Runs tribox with these arguments to its end. stdin: bytes or a file. limit: a resource and how much, as for setrlimit."""
     given = {"input": stdin} if isinstance(stdin, bytes) else {"stdin": stdin}
     done = subprocess.run([program(), *arguments], **given, stdout=stdout, stderr=subprocess.PIPE, timeout=120, cwd=cwd,
                           env=None if env is None else {**os.environ, **env},
@@ -72,9 +72,10 @@ def lacks(part):
         for path, content in ((mesh, bytes(36)), (mesh + ".gltf", b"{}")):
             with open(path, "wb") as file:
                 file.write(content)
-        said = run(*{"libassimp": ("overlap", mesh + ".gltf", "--box", UNIT_BOX), "OpenVDB": ("voxelize", mesh, "-c", "1", "-o", out + ".vdb"),
-                     "libpng": ("voxelize", mesh, "-c", "1", "-o", out + ".npy", "-p", out + ".png")}[part]).stderr
-        return "built without" in said
+        words = {"libassimp": ("overlap", mesh + ".gltf", "--box", UNIT_BOX),
+                 "OpenVDB": ("voxelize", mesh, "-c", "1", "-o", out + ".vdb"),
+                 "libpng": ("voxelize", mesh, "-c", "1", "-o", out + ".npy", "-p", out + ".png")}[part]
+        return "built without" in run(*words).stderr
 
 
 class TestCase(unittest.TestCase):
@@ -163,8 +164,8 @@ class TestCase(unittest.TestCase):
         """The same for each row: a pattern, and the words after the command; the code 2 goes with a hint at the help."""
         for pattern, *words in rows:
             with self.subTest(pattern=pattern, words=words):
-                self.fail_with(code, "^tribox %s: (.* )?(%s)" % (command, pattern) + (".*see 'tribox %s --help'" % command if code == 2 else ""),
-                               command, *words, **how)
+                hint = ".*see 'tribox %s --help'" % command if code == 2 else ""
+                self.fail_with(code, "^tribox %s: (.* )?(%s)" % (command, pattern) + hint, command, *words, **how)
 
     def assert_one_line(self, stderr, pattern):
         self.assertRegex(stderr, pattern)

@@ -149,7 +149,8 @@ def palette_of(path):
     return {tuple(c[:3].tolist()): tuple(palette[c[3] - 1, :3].tolist()) for c in cells}
 
 
-DENSE = {"bits": ("uint8", "UInt8", "occupied", "u1"), "labels": ("uint8", "UInt8", "label", "u1"), "ids": ("int32", "Int32", "id", "<i4")}
+DENSE = {"bits": ("uint8", "UInt8", "occupied", "u1"), "labels": ("uint8", "UInt8", "label", "u1"),
+         "ids": ("int32", "Int32", "id", "<i4")}
 
 
 def read_nrrd(path, _, what):
@@ -171,7 +172,8 @@ def read_vti(path, _, what):
     assert data[8 + length:] == b"\n  </AppendedData>\n</VTKFile>\n" and 'Scalars="%s"' % DENSE[what][2] in text
     assert '<DataArray type="%s" Name="%s" format="appended"' % DENSE[what][1:3] in text
     size = [int(n) for n in re.search(r'WholeExtent="0 (\d+) 0 (\d+) 0 (\d+)"', text).groups()]
-    grid = {"origin": three(re.search('Origin="([^"]*)"', text)[1]), "cell": three(re.search('Spacing="([^"]*)"', text)[1]), "size": size}
+    origin, cell = (three(re.search(word + '="([^"]*)"', text)[1]) for word in ("Origin", "Spacing"))
+    grid = {"origin": origin, "cell": cell, "size": size}
     return np.frombuffer(data[8:8 + length], DENSE[what][3]).reshape(size[::-1]), grid
 
 
@@ -268,7 +270,8 @@ def mesh_ply(path):
     head, _, body = content_of(path).partition(b"end_header\n")
     lines = [line for line in head.decode().splitlines() if not line.startswith("comment")]
     (vertices, faces), colours = (int(line.split()[2]) for line in lines if line.startswith("element")), lines[8:]
-    assert lines[:8] == ["ply", "format binary_little_endian 1.0", "element vertex %d" % vertices, *("property double " + a for a in "xyz"),
+    assert lines[:8] == ["ply", "format binary_little_endian 1.0", "element vertex %d" % vertices,
+                         *("property double " + a for a in "xyz"),
                          "element face %d" % faces, "property list uchar int vertex_indices"]
     assert colours in ([], ["property uchar red", "property uchar green", "property uchar blue"])
     records = np.frombuffer(body[24 * vertices:], [("count", "u1"), ("corners", "<i4", 3), ("colour", "u1", len(colours))])
@@ -303,13 +306,16 @@ def mesh_glb(path):
         assert about["scenes"] == [{}] and "meshes" not in about
         return np.zeros((0, 3)), np.zeros((0, 3), int), None
     assert struct.unpack_from("<I4s", rest) == (len(rest) - 8, b"BIN\0") and about["buffers"] == [{"byteLength": len(rest) - 8}]
-    (node,), (view, indices), (positions, numbers, *colours), rest = about["nodes"], about["bufferViews"], about["accessors"], rest[8:]
+    (node,), (view, indices), (positions, numbers, *colours) = about["nodes"], about["bufferViews"], about["accessors"]
+    rest = rest[8:]
     stride, attributes = (20, {"POSITION": 0, "COLOR_0": 2}) if colours else (12, {"POSITION": 0})
     (primitive,) = about["meshes"][0]["primitives"]
     assert about["scenes"] == [{"nodes": [0]}] and (view["target"], indices["target"]) == (34962, 34963)
     assert (primitive["attributes"], primitive["indices"], view.get("byteStride", 12)) == (attributes, 1, stride)
-    assert (positions["componentType"], positions["type"], numbers["componentType"], numbers["type"]) == (5126, "VEC3", 5125, "SCALAR")
-    assert view["byteLength"] == stride * positions["count"] == indices["byteOffset"] and indices["byteLength"] == 4 * numbers["count"]
+    assert (positions["componentType"], positions["type"]) == (5126, "VEC3")
+    assert (numbers["componentType"], numbers["type"]) == (5125, "SCALAR")
+    assert view["byteLength"] == stride * positions["count"] == indices["byteOffset"]
+    assert indices["byteLength"] == 4 * numbers["count"]
     assert indices["byteOffset"] + indices["byteLength"] == len(rest)
     records = np.frombuffer(rest[:view["byteLength"]], [("place", "<f4", 3), ("colour", "<u2", 4 if colours else 0)])
     assert positions["min"] == records["place"].min(0).tolist() and positions["max"] == records["place"].max(0).tolist()

@@ -38,17 +38,21 @@ def polygon(corners, form):
 
 
 # Spellings: the ending, the text, and the numbers of triangles that overlap boxes.
-STRIPS = ply_text("0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 9 9\n", "8 0 1 2 3 -1 2 3 4\n", **{"element face": "element tristrips", "uchar": "int"})
-GROUPS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\no a\nusemtl A\nf 1 2 3\nusemtl B\nf 4 4 4\nusemtl A\nf 1 2 3\ng b\nf 4 4 4\no c\nusemtl B\nf 1 2 3\n"
+STRIPS = ply_text("0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 9 9\n", "8 0 1 2 3 -1 2 3 4\n",
+                  **{"element face": "element tristrips", "uchar": "int"})
+GROUPS = ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\n"
+          "o a\nusemtl A\nf 1 2 3\nusemtl B\nf 4 4 4\nusemtl A\nf 1 2 3\ng b\nf 4 4 4\no c\nusemtl B\nf 1 2 3\n")
 TURNED = ply_text("", "3 0 0 0\n3 0 1 2\n9 9 9\n1 0 0\n0 1 0\n", (3, 2))
 TURNED = re.sub(r"(?s)(element vertex.*?)(element face.*?)(end_header)", r"\2\1\3", TURNED)
 SPELLINGS = [
     ("ply", TURNED, {"0.5,0.5,0,0.5,0.5,0": [1]}),
     ("ply", STRIPS, {ALL: [0, 1, 2], CORNER: [0], "1,1,0,1,1,0": [1, 2], "9,9,9,9,9,9": [2]}),
-    *(("off", keyword + squares(end, more).lstrip("\r\n") if end[0] != "\r" else (keyword + squares(end, more).lstrip("\r\n")).replace("\n", end),
+    *(("off", keyword + squares(end, more).lstrip("\r\n") if end[0] != "\r" else
+       (keyword + squares(end, more).lstrip("\r\n")).replace("\n", end),
        {ALL: [0, 1, 2], CORNER: [0, 1, 2]})
       for keyword in ("OFF\n", "OFF # a comment\n", "OFF ", "OFF", "# first\n\nOFF\n", "COFF\n", "NOFF\n", "STCNOFF\n")
-      for more in ("", " # red", "#red", " 255 0 0", " 0.5 0.5 0.5 1 # half", " 7") for end in ("\n", "\r\n", "\r", "\n\n# between\n")
+      for more in ("", " # red", "#red", " 255 0 0", " 0.5 0.5 0.5 1 # half", " 7")
+      for end in ("\n", "\r\n", "\r", "\n\n# between\n")
       if not (end == "\n\n# between\n" and keyword.endswith(("OFF", " ")))),
     *(("stl", text, {"0.5,0.5,0,0.5,0.5,0": [0]}) for text in (
         STL.upper(), STL.replace("\n", "\r\n"), STL.replace("\n", "\n\t\n "), STL.replace("solid test", "solid"),
@@ -62,16 +66,18 @@ SPELLINGS = [
         OBJ.replace("\n", "\r") + "f 1 2 3\r", "v 0 0 0\nf -1 2 3\nv 1 0 0\nv 0 1 0\n", OBJ + "# f 1 1 1\nf 1 2 3\n",
         OBJ.replace("v", "\tv ") + " f\t1\t2  3 \n")),
     ("obj", GROUPS, {UNIT_BOX: [0, 2, 4]}),
-    ("obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 2 5 0\nf 1 2 3 4\nf 1 2 3 6 4\nf 1 2 5 4\nf 1 2 3\nf 1 1 2\n", {ALL: list(range(9))}),
+    ("obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 2 5 0\nf 1 2 3 4\nf 1 2 3 6 4\nf 1 2 5 4\nf 1 2 3\nf 1 1 2\n",
+     {ALL: list(range(9))}),
 ]
 # Arrows and combs, which no corner or not each sees all of: points that are covered, and points that are not.
 SHAPES = [(("0 0 0", "0 4 0", "1 1 0", "4 0 0"), 2, {"2,2,0": False, "0.5,0.5,0": True}),
           (("0 0 0", "6 0 0", "6 4 0", "5 4 0", "5 1 0", "1 1 0", "1 4 0", "0 4 0"), 6,
            {"3,2,0": False, "3,3,0": False, "0.5,3,0": True, "5.5,3,0": True, "3,0.5,0": True, "6.5,2,0": False})]
 # Decimals of floats and of doubles.
-FLOATS = ("0.1", "+.5e0", "-0.25E+1", "0x1.8p1", "1234567e-3", "557820.13", "0000000000000000000001.5", "5.0000000000000000000000000", "1e-45")
-DOUBLES = ("557820.15", "1.00000005960464", "1.000000059604645", "16777217", "9007199254740995", "7e-46", "3.4028235677e38", "1e99", "0x1p-200",
-           "2.2250738585072012e-308", "123456789012345678e-17", "0.333333333333", "123456789e-4")
+FLOATS = ("0.1", "+.5e0", "-0.25E+1", "0x1.8p1", "1234567e-3", "557820.13", "0000000000000000000001.5",
+          "5.0000000000000000000000000", "1e-45")
+DOUBLES = ("557820.15", "1.00000005960464", "1.000000059604645", "16777217", "9007199254740995", "7e-46", "3.4028235677e38",
+           "1e99", "0x1p-200", "2.2250738585072012e-308", "123456789012345678e-17", "0.333333333333", "123456789e-4")
 
 
 class Formats(harness.TestCase):
@@ -82,14 +88,15 @@ class Formats(harness.TestCase):
             self.assertEqual((answer["triangles"], answer["indices"]), (200, meshes.overlapping(triangles, WHERE)), name)
 
     def test_bit_exact(self):
-        """A triangle that is a point overlaps a box that is a point just when every coordinate is the same number, wild as they are."""
+        """A triangle that is a point overlaps a box that is a point just when each coordinate is the same number, wild as it is."""
         pick = np.random.default_rng(3)
-        for kind, bits, names in (("f4", np.uint32, ("little.ply", "big.ply", "cr_lf.ply", "cr.ply", "binary.stl", "solid.stl", "raw.f32")),
-                                  ("f8", np.uint64, tuple(meshes.FORMATS_OF_DOUBLES))):
+        singles = ("little.ply", "big.ply", "cr_lf.ply", "cr.ply", "binary.stl", "solid.stl", "raw.f32")
+        for kind, bits, names in (("f4", np.uint32, singles), ("f8", np.uint64, tuple(meshes.FORMATS_OF_DOUBLES))):
             wild = pick.integers(0, np.iinfo(bits).max, 600, bits).view(kind)
             points = wild[np.isfinite(wild)][:180].astype(float).reshape(60, 3)
             for name in names:
-                mesh = self.write(name, (meshes.FORMATS if kind == "f4" else meshes.FORMATS_OF_DOUBLES)[name]([(p, p, p) for p in points]))
+                content = (meshes.FORMATS if kind == "f4" else meshes.FORMATS_OF_DOUBLES)[name]
+                mesh = self.write(name, content([(p, p, p) for p in points]))
                 answers = self.answers(mesh, np.hstack([points, points]).tolist(), "--list")
                 self.assertEqual([answer["indices"] for answer in answers], [[i] for i in range(60)], name)
                 self.assertEqual(answers[0]["positions"], "float32" if kind == "f4" else "float64")
@@ -133,7 +140,8 @@ class Formats(harness.TestCase):
             for name, content in (("near.ply", ply_text(3 * point)), ("near.off", "OFF 3 1 0\n" + 3 * point + "3 0 1 2\n"),
                                   ("near.obj", 3 * ("v " + point) + "f 1 2 3\n")):
                 answer = self.overlap(self.write(name, content), box)
-                self.assertEqual((answer["indices"], answer["positions"]), ([0], "float32" if text in FLOATS else "float64"), (name, text))
+                kind = "float32" if text in FLOATS else "float64"
+                self.assertEqual((answer["indices"], answer["positions"]), ([0], kind), (name, text))
 
     def test_polygons(self):
         """A fan around a corner that sees all of the polygon, and ears where there is no such corner."""
@@ -164,8 +172,8 @@ class Formats(harness.TestCase):
         text = self.succeed("overlap", self.write("crossed.obj", crossed), "--box", ALL, "--json",
                             note="warning: .*crossed.obj: 1 polygon cannot be cut well, so the triangles cover too much")
         self.assertEqual(json.loads(text)["triangles"], 5)
-        for name, content, left_out in (("mixed.off", "OFF 4 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0\n2 0 1\n0\n3 0 0 1\n4 0 1 2 3\n", (3, 2)),
-                                        ("mixed.obj", OBJ + "l 1 2\np 3\nf 1 2 3\nl 2 3\n", (1, 3))):
+        mixed = "OFF 4 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0\n2 0 1\n0\n3 0 0 1\n4 0 1 2 3\n"
+        for name, content, left_out in (("mixed.off", mixed, (3, 2)), ("mixed.obj", OBJ + "l 1 2\np 3\nf 1 2 3\nl 2 3\n", (1, 3))):
             self.assertRegex(self.succeed("overlap", self.write(name, content), "--box", UNIT_BOX),
                              r"(?m)^triangles +%d \(and %d points or lines, left out\)$" % left_out)
 
@@ -176,13 +184,15 @@ class Formats(harness.TestCase):
             self.assertEqual(self.overlap(mesh, box + box)["indices"], indices)
 
     def test_not_finite(self):
-        good, bad = ONE, [((NAN, 0, 0), (1, 0, 0), (0, 1, 0)), ((0, 0, 0), (1, -INF, 0), (0, 1, 0)), ((0, 0, 0), (1, 0, 0), (0, 1, INF))]
+        good, bad = ONE, [((NAN, 0, 0), (1, 0, 0), (0, 1, 0)), ((0, 0, 0), (1, -INF, 0), (0, 1, 0)),
+                          ((0, 0, 0), (1, 0, 0), (0, 1, INF))]
         for name in sorted(set(meshes.FORMATS) - {"text.gltf", "binary.glb"}):  # whose JSON has no such numbers
             for triangles, expected in (([good, bad[0], good, bad[1]], [0, 2]), (bad, [])):
                 count, first = len(triangles) - len(expected), int(bool(expected))
                 mesh = self.write(name, meshes.FORMATS[name](triangles))
-                text = self.succeed("overlap", mesh, "--box", UNIT_BOX, "--json", "--list", note="warning: .*%s: %d of %d triangles have NaN or "
-                                    "infinite coordinates and overlap nothing; the first is number %d$" % (name, count, len(triangles), first))
+                text = self.succeed("overlap", mesh, "--box", UNIT_BOX, "--json", "--list",
+                                    note="warning: .*%s: %d of %d triangles have NaN or infinite coordinates and overlap nothing; "
+                                         "the first is number %d$" % (name, count, len(triangles), first))
                 answer = json.loads(text)
                 self.assertEqual((answer["triangles"], answer["not_finite"], answer["indices"]), (len(triangles), count, expected))
         large = VERTICES.replace("0 0 0", "0 1e999 0")
@@ -192,11 +202,12 @@ class Formats(harness.TestCase):
 
     def test_degenerate(self):
         """Points and segments are the points and segments that they are, each as often as it is there."""
-        triangles = [((1, 1, 1),) * 3, ((-2, -2, -2), (2, 2, 2), (-2, -2, -2)), ((-2, 0, 0), (0, 0, 0), (2, 0, 0)), ONE, ONE, ((3, 3, 3),) * 3,
-                     ((1, 1, 1),) * 3, ONE[::-1]] * 3
-        boxes = [(1, 1, 1, 1, 1, 1), (0.5, 0.5, 0.5, 0.5, 0.5, 0.5), (0.5, -1, -1, 0.75, 1, 1), (-2, 0, 0, -1, 0, 0), (-9, -9, -9, 9, 9, 9),
-                 (1, 1, -1, 2, 2, 0.5), (-1, -1, 1.5, 1, 1, 2)]
-        for (name, content), some in itertools.product(meshes.FORMATS.items(), (triangles, triangles[:1] * 100, triangles[1:2] * 100)):
+        triangles = [((1, 1, 1),) * 3, ((-2, -2, -2), (2, 2, 2), (-2, -2, -2)), ((-2, 0, 0), (0, 0, 0), (2, 0, 0)),
+                     ONE, ONE, ((3, 3, 3),) * 3, ((1, 1, 1),) * 3, ONE[::-1]] * 3
+        boxes = [(1, 1, 1, 1, 1, 1), (0.5, 0.5, 0.5, 0.5, 0.5, 0.5), (0.5, -1, -1, 0.75, 1, 1), (-2, 0, 0, -1, 0, 0),
+                 (-9, -9, -9, 9, 9, 9), (1, 1, -1, 2, 2, 0.5), (-1, -1, 1.5, 1, 1, 2)]
+        alone = (triangles, triangles[:1] * 100, triangles[1:2] * 100)
+        for (name, content), some in itertools.product(meshes.FORMATS.items(), alone):
             answers = self.answers(self.write(name, content(some)), boxes, "--list")
             self.assertEqual([answer["indices"] for answer in answers], [meshes.overlapping(some, box) for box in boxes], name)
 
@@ -223,19 +234,24 @@ BAD = [
     *((name, "hello\n", "not a (mesh that libassimp can read, or a damaged one|PLY, OFF, OBJ, STL, .f32 or .f64 file)")
       for name in ("notes.txt", "notes.gltf", "no_ending")),
     ("notes.obj", "hello\n", "not an OBJ file, or an empty one: it has no line with a vertex, 'v X Y Z'"),
-    ("notes.ply", "hello\n", "not a PLY file: it does not begin with 'ply'"), ("notes.stl", "hello\n", "truncated, or not an STL file"),
+    ("notes.ply", "hello\n", "not a PLY file: it does not begin with 'ply'"),
+    ("notes.stl", "hello\n", "truncated, or not an STL file"),
     ("notes.off", "hello\n", "not an OFF file: it does not begin with 'OFF'"), ("counts.off", "OFF\n", "truncated, or not text"),
     *((name, bytes(range(256)) * 40, ".") for name in ("bytes.ply", "bytes.stl", "bytes.obj", "bytes.off", "bytes.glb")),
-    *(("points.obj", OBJ + more, "contains no triangles .points or lines at most.; give a mesh with faces") for more in ("", "l 1 2\n", "p 1 2\n")),
+    *(("points.obj", OBJ + more, "contains no triangles .points or lines at most.; give a mesh with faces")
+      for more in ("", "l 1 2\n", "p 1 2\n")),
     ("points.ply", ply_text(VERTICES, ""), "contains no triangles"), ("none.stl", bytes(84), "contains no triangles"),
     *(("far.ply", ply_text(VERTICES, "3 0 1 2\n3 0 1 %s\n" % n), "damaged: face 1 refers to vertex")
       for n in ("3", "-1", "2147483647", "2147483648", *GIGANTIC)),
     ("far.ply", ply_text(VERTICES, "3 0 1 2\n3 0 1 3\n"), "damaged: face 1 refers to vertex 3, the mesh has 3"),
-    *(("far.off", "OFF\n3 1 0\n" + VERTICES + "3 0 1 %s\n" % n, "damaged: face 0 refers to vertex") for n in ("3", "-1", "2147483648", *GIGANTIC)),
+    *(("far.off", "OFF\n3 1 0\n" + VERTICES + "3 0 1 %s\n" % n, "damaged: face 0 refers to vertex")
+      for n in ("3", "-1", "2147483648", *GIGANTIC)),
     *(("far.obj", OBJ + "f 1 2 %s\nv 1 1 1\n" % n if n[0] == "-" else OBJ + "f 1 2 %s\n" % n,
-       "damaged: line 4 refers to vertex %s, the file has 3, counted from 1" % n) for n in ("4", "-4", "0", "-0", "4/1/1", "2147483648", *GIGANTIC)),
+       "damaged: line 4 refers to vertex %s, the file has 3, counted from 1" % n)
+      for n in ("4", "-4", "0", "-0", "4/1/1", "2147483648", *GIGANTIC)),
     *(("far.ply", meshes.ply([("vertex", meshes.XYZ, ONE), ("face", meshes.CORNERS, [[[0, 1, n]]])], "binary_%s_endian" % order),
-       "damaged: face 0 refers to vertex %d, the mesh has 3" % n) for order in ("little", "big") for n in (3, -1, 2 ** 31 - 1, -2 ** 31)),
+       "damaged: face 0 refers to vertex %d, the mesh has 3" % n)
+      for order in ("little", "big") for n in (3, -1, 2 ** 31 - 1, -2 ** 31)),
     *(("header.ply", PLY.replace(old, new), UNSOUND + "'.*' in its header is not understood") for old, new in (
         ("property float x", "property number x"), ("list uchar int", "list uchar"), ("element vertex 60", "element vertex many"),
         ("format ascii", "format morse"))),
@@ -243,9 +259,12 @@ BAD = [
         ("property float z\n", "", "promises 60 of 'vertex' without one x, one y and one z each"),
         ("float z", "float x", "promises 60 of 'vertex' without one x, one y and one z each"),
         ("vertex_indices", "vertices", "promises 20 of 'face' without one list vertex_indices each"),
-        ("format ascii 1.0\n", "", "header does not say which format it has"), ("element face", "element vertex", "header has 'vertex' twice"))),
-    *((name, with_word(text, start, word), "damaged: line %d has '%s' where a (number|coordinate of a vertex) should be" % (line, re.escape(word)))
-      for name, text, start, line in (("a.ply", PLY, "end_header\n", 11), ("a.off", OFF, "60 20 0\n", 4)) for word in ("1,5", "0.5f", "x", "1.IND", "--1")),
+        ("format ascii 1.0\n", "", "header does not say which format it has"),
+        ("element face", "element vertex", "header has 'vertex' twice"))),
+    *((name, with_word(text, start, word),
+       "damaged: line %d has '%s' where a (number|coordinate of a vertex) should be" % (line, re.escape(word)))
+      for name, text, start, line in (("a.ply", PLY, "end_header\n", 11), ("a.off", OFF, "60 20 0\n", 4))
+      for word in ("1,5", "0.5f", "x", "1.IND", "--1")),
     *(("words.off", OFF.replace(old, new, 1), "damaged: " + why) for old, new, why in (
         ("3 0 1 2\n", "3 0 1\n", "line 64 ends where the number of a vertex should follow"),
         ("3 0 1 2\n", "3 0 1 #2\n", "line 64 ends where the number of a vertex should follow"),
@@ -253,11 +272,14 @@ BAD = [
         ("3 0 1 2\n", "3 0 1 2.5\n", "line 64 has '2.5' where the number of a vertex should be"))),
     *(("words.obj", OBJ + line + "f 1 2 3\n", "damaged: line 4 " + why) for line, why in (
         ("v 1 2 x\n", "has 'x' where a coordinate of a vertex should be"), ("v 1,2 3\n", "has '1,2' where"),
-        ("v 1 2\n\n", "ends where a coordinate of a vertex should follow"), ("v 1 2 # 3\n", "ends where a coordinate of a vertex should follow"),
-        ("f 1 2 3.5\n", "has '3.5' where the number of a vertex should be"), ("f 1 2 --3\n", "has '--3' where"), ("f 1 2 3/x\n", "has '3/x' where"),
+        ("v 1 2\n\n", "ends where a coordinate of a vertex should follow"),
+        ("v 1 2 # 3\n", "ends where a coordinate of a vertex should follow"),
+        ("f 1 2 3.5\n", "has '3.5' where the number of a vertex should be"),
+        ("f 1 2 --3\n", "has '--3' where"), ("f 1 2 3/x\n", "has '3/x' where"),
         ("f 1 2 /3\n", "has '/3' where"), ("f\n", "ends where the number of a vertex should follow"))),
     *(("grammar.stl", GRAMMAR.replace(old, new, count) + " \n", "damaged: line " + why) for old, new, count, why in (
-        ("outer", "inner", 1, "3 has 'inner' where 'outer' should be"), ("vertex", "normal", 1, "4 has 'normal' where 'vertex' should be"),
+        ("outer", "inner", 1, "3 has 'inner' where 'outer' should be"),
+        ("vertex", "normal", 1, "4 has 'normal' where 'vertex' should be"),
         ("endloop", "vertex 1 2 3\nendloop", 1, "7 has 'vertex' where 'endloop' should be"),
         ("facet", "point", 1, "2 has 'point' where 'facet' or 'endsolid' should be"),
         ("endsolid test\n", "endsolid test\nmore\n", -1, "143 has 'more' where 'solid' should be"))),
@@ -266,21 +288,26 @@ BAD = [
     # Counts beyond all reason.
     *(("more.ply", ply_text(VERTICES).replace(old, old[:-1] + n), "truncated: the header promises [0-9]+ of '%s'" % old.split()[0])
       for n in GIGANTIC for old in ("vertex 3", "face 1")),
-    *(("none.ply", re.sub("property.*\n", "", ply_text(VERTICES).replace("face 1", "face " + n)), UNSOUND + r"the header promises [0-9]+ of '\w+' "
-       "without a property") for n in GIGANTIC),
-    *(("other.ply", ply_text(VERTICES, end_header="element other %s\n%send_header" % (n, more)), why) for n in GIGANTIC for more, why in (
+    *(("none.ply", re.sub("property.*\n", "", ply_text(VERTICES).replace("face 1", "face " + n)),
+       UNSOUND + r"the header promises [0-9]+ of '\w+' without a property") for n in GIGANTIC),
+    *(("other.ply", ply_text(VERTICES, end_header="element other %s\n%send_header" % (n, more)), why)
+      for n in GIGANTIC for more, why in (
         ("", UNSOUND + "the header promises [0-9]+ of 'other' without"),
         ("property double d\n", "truncated: the header promises [0-9]+ of 'other', the file has bytes for [0-9]+ at most"))),
     *(("list.ply", ply_text(VERTICES, n + " 0 1 2\n"), "truncated: ") for n in GIGANTIC),
-    *(("list.ply", ply_text(VERTICES, n + " 0 1 2\n"), "damaged: number 0 of 'face' has a list of %s values" % n) for n in ("-1", "1.5")),
+    *(("list.ply", ply_text(VERTICES, n + " 0 1 2\n"), "damaged: number 0 of 'face' has a list of %s values" % n)
+      for n in ("-1", "1.5")),
     *(("list.ply", meshes.ply([("vertex", meshes.XYZ, ONE), ("face", [("vertex_indices", "uint", "int")], [[[0, 1, 2]]])])[:-16] +
        struct.pack("<I3i", n, 0, 1, 2), "truncated: ") for n in (0x7FFFFFFF, 0x80000000, 0xFFFFFFFF)),
-    *(("more.off", "OFF\n%s %s 0\n%s3 0 1 2\n" % (*counts, VERTICES), "truncated: ") for n in GIGANTIC for counts in ((n, 1), (3, n), (n, 2), (n, n))),
+    *(("more.off", "OFF\n%s %s 0\n%s3 0 1 2\n" % (*counts, VERTICES), "truncated: ")
+      for n in GIGANTIC for counts in ((n, 1), (3, n), (n, 2), (n, n))),
     *(("corners.off", "OFF\n3 1 0\n%s%s 0 1 2\n" % (VERTICES, n), "truncated: face 0 has fewer than its") for n in GIGANTIC),
     # 50 n + 84 is the size of the file in 32 bits for the last of these numbers.
-    *(("count.stl", head + struct.pack("<I", n) + meshes.stl_binary(TRIANGLES * 4)[84:], "%s, or not an STL file: it has 4084 bytes where a binary STL "
-       "file of %d triangles, as its header says, has %d; write it again" % ("truncated" if n > 80 else "has bytes after its last triangle", n, 84 + 50 * n))
-      for n in (0, 79, 81, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1, 80 + 2 ** 31) for head in (b"made by a test".ljust(80), b"solid".ljust(80), bytes(80))),
+    *(("count.stl", head + struct.pack("<I", n) + meshes.stl_binary(TRIANGLES * 4)[84:],
+       "%s, or not an STL file: it has 4084 bytes where a binary STL file of %d triangles, as its header says, has %d; "
+       "write it again" % ("truncated" if n > 80 else "has bytes after its last triangle", n, 84 + 50 * n))
+      for n in (0, 79, 81, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1, 80 + 2 ** 31)
+      for head in (b"made by a test".ljust(80), b"solid".ljust(80), bytes(80))),
 ]
 
 
@@ -292,7 +319,8 @@ class Bad(harness.TestCase):
             self.limit = None  # a sanitizer needs terabytes of addresses
 
     def refuse_file(self, path, pattern, *question):
-        self.fail_with(1, "^tribox overlap: [^\n]*%s: %s" % (os.path.basename(path), pattern), "overlap", path, *(question or ("--box", UNIT_BOX)),
+        self.fail_with(1, "^tribox overlap: [^\n]*%s: %s" % (os.path.basename(path), pattern),
+                       "overlap", path, *(question or ("--box", UNIT_BOX)),
                        stdin=b"0 0 0 1 1 1\n", limit=self.limit)
 
     def test_files(self):
@@ -317,34 +345,41 @@ class Bad(harness.TestCase):
     def test_part_is_damaged(self):
         mesh = self.write("scene.gltf", "{}")
         self.write("tribox_assimp.so", "no library\n")
-        self.fail_with(1, "scene.gltf: not a PLY, .* file, and what reads others cannot be loaded: .*tribox_assimp.so", "overlap", mesh, "--box", UNIT_BOX,
+        self.fail_with(1, "scene.gltf: not a PLY, .* file, and what reads others cannot be loaded: .*tribox_assimp.so",
+                       "overlap", mesh, "--box", UNIT_BOX,
                        env={"LD_LIBRARY_PATH": self.folder})
 
     def test_cut(self):
         """At every place that a reader could stumble over; the last byte of a text is a line end, without which it is whole."""
         again = r"[^\n]*; write it again"
         for name, least, pattern in (
-                *((name, 1, "truncated: " + again) for name in ("little.ply", "big.ply", "cr_lf.ply", "cr.ply")), ("ascii.ply", 3, "truncated: " + again),
-                ("binary.stl", 1, "truncated, or not an STL file" + again), ("solid.stl", 1, "(truncated%s|no triangles|not a mesh)" % again),
+                *((name, 1, "truncated: " + again) for name in ("little.ply", "big.ply", "cr_lf.ply", "cr.ply")),
+                ("ascii.ply", 3, "truncated: " + again), ("binary.stl", 1, "truncated, or not an STL file" + again),
+                ("solid.stl", 1, "(truncated%s|no triangles|not a mesh)" % again),
                 ("ascii.stl", 14, "(truncated%s|not a mesh)" % again), ("text.off", 4, "(truncated%s|not a mesh)" % again),
-                ("text.obj", 0, "(truncated|not an OBJ file|contains no triangles)"), ("text.gltf", 1, "not a mesh"), ("binary.glb", 1, "not a mesh"),
-                ("raw.f32", 1, "truncated, or not raw triangles: after [0-9]+ triangles of 36 bytes it has [0-9]+ bytes more" + again)):
+                ("text.obj", 0, "(truncated|not an OBJ file|contains no triangles)"),
+                ("text.gltf", 1, "not a mesh"), ("binary.glb", 1, "not a mesh"),
+                ("raw.f32", 1, "truncated, or not raw triangles: after [0-9]+ triangles of 36 bytes "
+                               "it has [0-9]+ bytes more" + again)):
             if name.endswith((".gltf", ".glb")) and harness.lacks("libassimp"):
                 continue
             whole = meshes.FORMATS[name](TRIANGLES)
             self.assertEqual(self.overlap(self.write(name, whole), UNIT_BOX)["triangles"], len(TRIANGLES))
             end = (whole.index(b"f ") if name == "text.obj" else len(whole)) - least
-            for size in sorted({*range(4, end, 97), *range(end - 10, end + 1)} - {n for n in range(len(whole)) if name == "raw.f32" and n % 36 == 0}):
+            at_an_end = {n for n in range(len(whole)) if name == "raw.f32" and n % 36 == 0}
+            for size in sorted({*range(4, end, 97), *range(end - 10, end + 1)} - at_an_end):
                 self.refuse_file(self.write(name, whole[:size]), pattern)
         for size in (1, 35, 71, 73, 72 * 4096 + 8):
             form, of_one = (("f64", 72), ("f32", 36))[size in (35, 71)]
-            self.refuse_file(self.write("cut." + form, bytes(size)), "truncated, or not raw triangles: after %d triangles of %d bytes it has %d bytes more; "
+            self.refuse_file(self.write("cut." + form, bytes(size)),
+                             "truncated, or not raw triangles: after %d triangles of %d bytes it has %d bytes more; "
                              "write it again" % (size // of_one, of_one, size % of_one))
         self.assertEqual(self.overlap(self.write("cut.f32", meshes.pack_floats(TRIANGLES)[:36 * 7]), UNIT_BOX)["triangles"], 7)
 
     def test_gltf(self):
         """Some of these numbers libassimp takes for none."""
-        for n, (part, key) in itertools.product(GIGANTIC, (("accessors", "count"), ("buffers", "byteLength"), ("bufferViews", "byteLength"))):
+        counts = (("accessors", "count"), ("buffers", "byteLength"), ("bufferViews", "byteLength"))
+        for n, (part, key) in itertools.product(GIGANTIC, counts):
             document = json.loads(meshes.gltf(TRIANGLES))
             document[part][0][key] = int(n)
             result = harness.run("overlap", self.write("more.gltf", json.dumps(document)), "--box", UNIT_BOX, limit=self.limit)

@@ -6,9 +6,11 @@ import harness
 from harness import UNIT_BOX, UNIT_ORIENTED
 
 OPTIONS = {
-    "overlap": "--format --shift --box --boxes --oriented --inside --out --rest --list --json --accuracy --axes --order --kernel --threads --help",
-    "voxelize": "--resolution --cell --origin --size --format --shift --out --out-format --deflate --vdb-grid --preview --up --picture-size --json "
-                "--quiet --threads --shard --count --thin --fill --labels --inside-only --colours --ids --accuracy --axes --kernel --help",
+    "overlap": "--format --shift --box --boxes --oriented --inside --out --rest --list --json --accuracy --axes --order --kernel "
+               "--threads --help",
+    "voxelize": "--resolution --cell --origin --size --format --shift --out --out-format --deflate --vdb-grid --preview --up "
+                "--picture-size --json --quiet --threads --shard --count --thin --fill --labels --inside-only --colours --ids "
+                "--accuracy --axes --kernel --help",
     "merge": "--out --out-format --preview --up --picture-size --threads --json --quiet --help",
     "partition": "--format --shift --resolution --cell --origin --size --out --memory --threads --json --quiet --help",
     "info": "--json --help",
@@ -24,12 +26,14 @@ WRONG = {
     "overlap": [
         ("option '--o' is ambiguous; write more of it", *A, "--o", "123"), ("option '--bo=1' is ambiguous", *A, "--bo=1"),
         ("option --box is given twice", *A, "--box", "0,0,0,1,1,1", "--box=0,0,0,1,1,1"), ("option -b needs a value", *A, "-jb"),
-        *(("option --box needs a value, and '%s' is an option" % word, *A, "--box", word) for word in ("--json", "--js", "--boxes=3")),
+        *(("option --box needs a value, and '%s' is an option" % word, *A, "--box", word)
+          for word in ("--json", "--js", "--boxes=3")),
         *(("option --%s needs a value" % option, *A, "--" + option)
           for option in ("box", "boxes", "oriented", "format", "shift", "accuracy", "axes", "order", "kernel")),
         *(("option %s takes no value" % option, *A, option + "=yes") for option in ("--list", "--json")),
-        ("no mesh file given", "--box", UNIT_BOX), ("one mesh at a time: 'b.obj' is one file too many", *B, "b.obj"), ("no box given", *A),
-        ("--box, --boxes and --oriented exclude each other", *B, "--boxes", "-"), (".* exclude each other", *B, "--oriented", UNIT_ORIENTED),
+        ("no mesh file given", "--box", UNIT_BOX), ("one mesh at a time: 'b.obj' is one file too many", *B, "b.obj"),
+        ("no box given", *A), ("--box, --boxes and --oriented exclude each other", *B, "--boxes", "-"),
+        (".* exclude each other", *B, "--oriented", UNIT_ORIENTED),
         (".* exclude each other", *A, "--boxes", "-", "--oriented", UNIT_ORIENTED),
         ("--list with --boxes needs --json", *A, "--boxes", "-", "--list"),
         ("standard input needs its format: --format stl, f32 or f64", "-", "--box", UNIT_BOX),
@@ -47,41 +51,48 @@ WRONG = {
         ("-o and --rest write the faces about one box", *A, "--boxes", "b", "-o", "x.obj"),
         ("-o and --rest need the mesh as a file", "-", "--box", UNIT_BOX, "--format", "stl", "-o", "x.stl"),
         ("-o and --rest cannot both go to standard output", *B, "-o", "-", "--rest", "-"),
-        ("--json and -o - exclude each other", *B, "--json", "-o", "-"), ("--list and --rest - exclude each other", *B, "--list", "--rest", "-"),
+        ("--json and -o - exclude each other", *B, "--json", "-o", "-"),
+        ("--list and --rest - exclude each other", *B, "--list", "--rest", "-"),
     ],
     "voxelize": [
         ("no mesh file given", "-r", "8", "-o", "x.npy"), ("no grid given; give --resolution or --cell", *A, "-o", "x.npy"),
-        ("no output given; give -o FILE, or --count", *A, "-r", "8"), ("one mesh at a time.*'b.ply' is one file too many", *A, "b.ply"),
+        ("no output given; give -o FILE, or --count", *A, "-r", "8"),
+        ("one mesh at a time.*'b.ply' is one file too many", *A, "b.ply"),
         *(("--up and --picture-size need --preview", *V, *look) for look in (("--up", "y"), ("--picture-size", "64x48"))),
         *(("option %s needs a value" % option, *A, option)
           for option in ("--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--threads", "--shard", "--up")),
-        ("--resolution and --cell exclude each other", *V, "--cell", "1"), ("--json and --quiet exclude each other", *V, "--json", "--quiet"),
+        ("--resolution and --cell exclude each other", *V, "--cell", "1"),
+        ("--json and --quiet exclude each other", *V, "--json", "--quiet"),
         ("a shard is written as .npz, not as npy", *CELL, "-o", "x.npy", "--shard", "1/2"),
         ("a shard is written as .npz, not as raw", *CELL, "-o", "-", "--out-format", "raw", "--shard", "1/2"),
         ("--preview needs all cells: give it to 'tribox merge'", *V, "--shard", "1/2", "--preview", "x.png"),
         *(("--resolution: '%s' is not a whole number from 1 to " % value, *A, "-r", value)
           for value in ("0", "-1", "1[.]5", "", "x", "1e3", "9999999999", "8 ") for value in [value.replace("[.]", ".")]),
         *(("--threads: '%s' is not a whole number from 1 to 256" % value, *A, "-t", value) for value in ("0", "257", "two")),
-        *(("--size: '%s' is not NX,NY,NZ" % value, *A, "--size", value) for value in ("1", "1,2", "1,2,3,4", "0,1,1", "1,2,3,", "1,2,-3", "1 2 3")),
+        *(("--size: '%s' is not NX,NY,NZ" % value, *A, "--size", value)
+          for value in ("1", "1,2", "1,2,3,4", "0,1,1", "1,2,3,", "1,2,-3", "1 2 3")),
         ("--cell: 0 is not greater than 0", *A, "--cell", "0"), ("--cell: -2 is not greater than 0", *A, "--cell", "1,-2,1"),
         *(("--shard.*" + why, *A, "--shard", value) for value, why in (
             ("3", "'3' is not I/N, such as 3/8"), ("0/3", "its I: '0' is not a whole number from 1 to 3"),
-            ("4/3", "its I: '4' is not a whole number from 1 to 3"), ("1/0", "its N: '0' is not a whole number"), ("/2", "its I: ''"),
-            ("1/", "its N: ''"), ("1/2/3", "its N: '2/3'"))),
+            ("4/3", "its I: '4' is not a whole number from 1 to 3"), ("1/0", "its N: '0' is not a whole number"),
+            ("/2", "its I: ''"), ("1/", "its N: ''"), ("1/2/3", "its N: '2/3'"))),
         ("--up: 'w' is none of x, y, z, -x, -y, -z", *A, "--up", "w"),
         *(("--picture-size.*: '.*' is no", *A, "--picture-size", size)
           for size in ("640", "x", "0x8", "8x0", "8x4097", "8x6x4", "8 x 6", "123456789x8")),
-        *(("-o: '%s' does not end in .npz, .vdb, .npy, .vti, .nrrd, .raw, .binvox, .vox, .ply, .obj or .glb" % name, *CELL, "-o", name)
+        *(("-o: '%s' does not end in .npz, .vdb, .npy, .vti, .nrrd, .raw, .binvox, .vox, .ply, .obj or .glb" % name,
+           *CELL, "-o", name)
           for name in ("x", "x.txt", ".npy", "x.NPY", "")),
         *(("--preview: '%s' does not end in .png" % name, *V, "--preview", name) for name in ("p.jpg", "png", ".png", "", "-")),
         ("standard input needs its format: --format stl, f32 or", "-", "-r", "8", "-o", "x.npy"),
         ("standard output needs its format, --out-format WORD: one of npz, ", *CELL, "-o", "-"),
         ("--out-format: 'png' is none of npz, vdb", *CELL, "-o", "-", "--out-format", "png"),
         ("--json and -o - exclude", *CELL, "-o", "-", "--out-format", "raw", "--json"),
-        ("--deflate is for .npz alone", *CELL, "-o", "x.npy", "--deflate"), ("--vdb-grid is for .vdb alone", *V, "--vdb-grid", "mask"),
+        ("--deflate is for .npz alone", *CELL, "-o", "x.npy", "--deflate"),
+        ("--vdb-grid is for .vdb alone", *V, "--vdb-grid", "mask"),
         ("--vdb-grid: 'float' is neither bool nor mask", *CELL, "-o", "x.vdb", "--vdb-grid", "float"),
         *(("--count only prints: leave out " + option, *CELL, "--count", *words) for option, *words in (
-            ("--out", "-o", "x.npz"), ("--preview", "-p", "x.png"), ("--quiet", "-q"), ("--labels", "--fill", "outside", "--labels"),
+            ("--out", "-o", "x.npz"), ("--preview", "-p", "x.png"), ("--quiet", "-q"),
+            ("--labels", "--fill", "outside", "--labels"),
             ("--ids", "--ids"), ("--colours", "--colours"))),
         ("--fill: 'inside' is none of outside, parity and middles", *CELL, "--fill", "inside"),
         *(("%s needs all cells at once: leave out --shard" % option, *V, "--shard", "1/2", option, *word)
@@ -94,12 +105,12 @@ WRONG = {
         ("--labels and --inside-only exclude each other", *FILL, "--labels", "--inside-only", "-o", "x.npz"),
         *(("%s and --vdb-grid exclude each other" % word[-1], *CELL, *word, "--vdb-grid", "mask", "-o", "x.vdb")
           for word in (("--fill", "outside", "--labels"), ("--ids",))),
-        *(("--labels: %s holds no labels; write npz, vdb, npy, vti, nrrd, raw or vox, or give --inside-only" % word, *FILL, "--labels",
-           "--out-format", word, "-o", "x") for word in ("binvox", "ply", "obj", "glb", "cells")),
+        *(("--labels: %s holds no labels; write npz, vdb, npy, vti, nrrd, raw or vox, or give --inside-only" % word,
+           *FILL, "--labels", "--out-format", word, "-o", "x") for word in ("binvox", "ply", "obj", "glb", "cells")),
         *(("--ids: .%s holds none; write .npz" % word, *CELL, "--ids", "--out-format", word, "-o", "x")
           for word in ("cells", "binvox", "vox", "ply", "obj", "glb")),
-        *((".*" + why, *V, "--ids", *words) for why, *words in (("leave out --fill", "--fill", "outside"), ("leave out --thin", "--thin"),
-                                                                ("run it for each", "--colours"))),
+        *((".*" + why, *V, "--ids", *words) for why, *words in (
+            ("leave out --fill", "--fill", "outside"), ("leave out --thin", "--thin"), ("run it for each", "--colours"))),
         (".*--fill", *V, "--colours", "--fill", "outside"),
         *((r"--colours: \.%s holds none; write .npz, .vdb, .vox, .ply, .obj or .glb" % word, *CELL, "--colours", "-o", "x." + word)
           for word in ("npy", "vti", "nrrd", "binvox", "raw")),
@@ -113,39 +124,49 @@ WRONG = {
         (TILES + ".*which lacks the colours", ".", "--colours", "-o", "x.npz"),
     ],
     "merge": [
-        ("no parts given", "-o", "x.npy"), ("no output given", "a.npz"), ("-o: 'x.part' does not end in .npz", "a.npz", "-o", "x.part"),
+        ("no parts given", "-o", "x.npy"), ("no output given", "a.npz"),
+        ("-o: 'x.part' does not end in .npz", "a.npz", "-o", "x.part"),
         ("--up and --picture-size need --preview", "a.npz", "-o", "x.npy", "--up", "x"),
         ("--json and --quiet exclude each other", "a.npz", "-o", "x.npy", "--json", "--quiet")],
     "partition": [
-        ("no mesh file given", "-r", "9", "-o", "x"), ("no grid given", *A, "-o", "x"), ("no output given; give -o FOLDER", *A, "-r", "9"),
+        ("no mesh file given", "-r", "9", "-o", "x"), ("no grid given", *A, "-o", "x"),
+        ("no output given; give -o FOLDER", *A, "-r", "9"),
         ("-o: '-' is not the name of a folder", *A, "-r", "9", "-o", "-"),
         ("--json and --quiet exclude each other", *A, "-r", "9", "-o", "x", "--json", "-q"),
         *(("--memory: '%s' is no size" % size, *A, "-r", "9", "-o", "x", "--memory", size)
           for size in ("", "0", "-1", "1g", "1.5G", "G", "99999999999T", "1GB", "1 G")),
         (".*which has its grid: leave out --cell", ".", ".", "-o", "x", "--cell", "1")],
-    "info": [("option --json is given twice", "--json", "--json"), ("option -j is given twice", "--js", "-j"), ("option -j is given twice", "-jj"),
+    "info": [("option --json is given twice", "--json", "--json"), ("option -j is given twice", "--js", "-j"),
+             ("option -j is given twice", "-jj"),
              ("option --help takes no value", "--help=yes"), ("unexpected 'a.obj'", *A)],
     "demo": [("unexpected 'a.obj'", *A), ("option --quick takes no value", "--quick=yes"),
              ("--picture: 'knot.jpg' does not end in .png", "--picture", "knot.jpg")],
     "sweep": [
-        ("no mesh file given",), ("one mesh at a time: 'b.obj' is one file too many", *A, "b.obj"), ("unknown option '--kernel'", *A, "--kernel", "x"),
-        *(("--box, --octree and --grid exclude each other", *A, "--octree", "4", *other) for other in (("--grid", "4"), ("--box", UNIT_BOX))),
-        *(("%s: '%s' is not a whole number from 1 to %d" % (option, value, most), *A, option, value) for option, most, values in (
-            ("--octree", 10, ("0", "11", "-1", "", "3x", " 3", "9" * 20)), ("--grid", 4096, ("0", "4097", "1.5"))) for value in values),
+        ("no mesh file given",), ("one mesh at a time: 'b.obj' is one file too many", *A, "b.obj"),
+        ("unknown option '--kernel'", *A, "--kernel", "x"),
+        *(("--box, --octree and --grid exclude each other", *A, "--octree", "4", *other)
+          for other in (("--grid", "4"), ("--box", UNIT_BOX))),
+        *(("%s: '%s' is not a whole number from 1 to %d" % (option, value, most), *A, option, value)
+          for option, most, values in (("--octree", 10, ("0", "11", "-1", "", "3x", " 3", "9" * 20)),
+                                       ("--grid", 4096, ("0", "4097", "1.5"))) for value in values),
         ("--box: the empty box overlaps nothing in any order", *A, "--box", "0,2,0,1,1,1"),
-        *(("--chart: '.*' would be an SVG all the same; name it .svg", *A, "--chart", name) for name in ("c.png", "c.svg.pdf", "."))],
+        *(("--chart: '.*' would be an SVG all the same; name it .svg", *A, "--chart", name)
+          for name in ("c.png", "c.svg.pdf", "."))],
 }
 NUMBERS = {  # options of numbers: what is wrong with which
     "--box": [
-        ("number 1 of 6 is missing", ""), ("3 numbers where 6 are needed; give LX,LY,LZ,HX,HY,HZ", "1,2,3"), ("1 number where 6", "1"),
-        ("more than 6 numbers", "1,2,3,4,5,6,7"), ("number 3 of 6 is missing", "1,2,,4,5,6"), ("more than 6 numbers", "1,2,3,4,5,6,"),
+        ("number 1 of 6 is missing", ""), ("3 numbers where 6 are needed; give LX,LY,LZ,HX,HY,HZ", "1,2,3"),
+        ("1 number where 6", "1"), ("more than 6 numbers", "1,2,3,4,5,6,7"), ("number 3 of 6 is missing", "1,2,,4,5,6"),
+        ("more than 6 numbers", "1,2,3,4,5,6,"),
         ("number 1 of 6 is missing", ",1,2,3,4,5,6"), (r"'x' \(number 3 of 6\) is not a number; write it like", "1,2,x,4,5,6"),
         (r"'3m' \(number 3 of 6\) is not a number", "1,2,3m,4,5,6"), (r"'1e' \(number 3 of 6\) is not a number", "1,2,1e,4,5,6"),
-        (r"'1;2;3;4;5;6' \(number 1 of 6\) is not a number", "1;2;3;4;5;6"), (r"'nan' \(number 3 of 6\) is not finite", "1,2,nan,4,5,6"),
+        (r"'1;2;3;4;5;6' \(number 1 of 6\) is not a number", "1;2;3;4;5;6"),
+        (r"'nan' \(number 3 of 6\) is not finite", "1,2,nan,4,5,6"),
         (r"'-inf' \(number 1 of 6\) is not finite", "-inf,2,3,4,5,6"),
         (r"'1e309' \(number 6 of 6\) is too large for double, which ends at 1\.79769313e\+308", "1,2,3,4,5,1e309"),
         (r"'-1\.8e308' \(number 5 of 6\) is too large for double", "1,2,3,4,-1.8e308,5"),
-        (r"'1e-324' \(number 2 of 6\) is too small for double; give 0 or at least 4\.9e-324", "1,1e-324,3,4,5,6"), ("'--json'", "--json")],
+        (r"'1e-324' \(number 2 of 6\) is too small for double; give 0 or at least 4\.9e-324", "1,1e-324,3,4,5,6"),
+        ("'--json'", "--json")],
     "--oriented": [
         ("6 numbers where 15 are needed; give CX,CY,CZ,HX,HY,HZ and three axes of three numbers", UNIT_BOX),
         ("more than 15 numbers", UNIT_ORIENTED + ",1"), (r"'nan' \(number 15 of 15\) is not finite", UNIT_ORIENTED[:-1] + "nan")],
@@ -182,21 +203,25 @@ class Help(harness.TestCase):
         self.assertEqual(sorted(info), ["default_kernel", "kernels", "positions", "processor", "version"])
         self.assertRegex(info["version"], r"\A\d+\.\d+\.\d+\Z")
         self.assertEqual(self.succeed("--version"), "tribox %s\n" % info["version"])
-        self.assertEqual((info["kernels"][0], info["kernels"][-1], info["positions"]), (info["default_kernel"], "scalar", ["float32", "float64"]))
+        self.assertEqual((info["kernels"][0], info["kernels"][-1], info["positions"]),
+                         (info["default_kernel"], "scalar", ["float32", "float64"]))
         self.assertTrue(info["processor"])
-        self.assertEqual(self.succeed("info"), "version         %s\nprocessor       %s\nkernels         %s\ndefault kernel  %s\npositions       "
-                         "float32, float64\n" % (info["version"], info["processor"], " ".join(info["kernels"]), info["default_kernel"]))
+        self.assertEqual(self.succeed("info"), "version         %s\nprocessor       %s\nkernels         %s\ndefault kernel  %s\n"
+                         "positions       float32, float64\n" % (info["version"], info["processor"], " ".join(info["kernels"]),
+                                                                 info["default_kernel"]))
 
 
 class Wrong(harness.TestCase):
     def test_program(self):
         for pattern, *words in (("no command given; see 'tribox --help'",), ("'overlay' is not a command;", "overlay"),
-                                ("unknown option '--quick';", "--quick", "demo"), ("'overlay' is not a command;", "help", "overlay")):
+                                ("unknown option '--quick';", "--quick", "demo"),
+                                ("'overlay' is not a command;", "help", "overlay")):
             self.fail_with(2, "^tribox: " + pattern, *words)
 
     def test_commands(self):
         for command, rows in WRONG.items():
-            unknown = [("unknown option '%s'" % option, option) for option in ("--tint", "-x", "--tint=red", "--jsonl", "--json2=1")]
+            unknown = [("unknown option '%s'" % option, option)
+                       for option in ("--tint", "-x", "--tint=red", "--jsonl", "--json2=1")]
             self.refuse(2, command, rows + unknown * (command != "sweep"), cwd=self.folder)
 
     def test_numbers(self):
@@ -204,13 +229,15 @@ class Wrong(harness.TestCase):
             for pattern, value in rows:
                 self.fail_with(2, "^tribox overlap: %s: %s" % (option, pattern), "overlap", "a.obj", option + "=" + value)
         self.fail_with(2, "^tribox sweep: --box: number 1 of 6 is missing", "sweep", "a.obj", "--box", "")
-        self.fail_with(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give SX,SY,SZ$", "voxelize", "a.obj", "--cell", "1,2")
+        self.fail_with(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give SX,SY,SZ$",
+                       "voxelize", "a.obj", "--cell", "1,2")
         self.fail_with(2, r"^tribox voxelize: --origin: 'a' \(number 2 of 3\) is not a number", "voxelize", "--origin", "1,a,3")
 
     def test_kernel_of_another_processor(self):
         here = harness.kernels()
         for kernel in {"avx512", "avx2", "sse2", "neon", "scalar"} - set(here):
-            self.refuse(2, "overlap", [("--kernel: '%s' does not run here; choose one of %s" % (kernel, ", ".join(here)), *B, "--kernel", kernel)])
+            message = "--kernel: '%s' does not run here; choose one of %s" % (kernel, ", ".join(here))
+            self.refuse(2, "overlap", [(message, *B, "--kernel", kernel)])
 
 
 class Right(harness.TestCase):

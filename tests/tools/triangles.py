@@ -208,7 +208,8 @@ def stl_binary(triangles, header=b"made by a test"):
 
 
 def stl_ascii(triangles):
-    facets = "".join("facet normal 0 0 1\nouter loop\n" + lines_of(triangle, "vertex ") + "endloop\nendfacet\n" for triangle in triangles)
+    facet = "facet normal 0 0 1\nouter loop\n%sendloop\nendfacet\n"
+    facets = "".join(facet % lines_of(triangle, "vertex ") for triangle in triangles)
     return ("solid test\n" + facets + "endsolid test\n").encode()
 
 
@@ -222,15 +223,18 @@ def gltf_document(triangles, nodes=({},)):
         "nodes": [{"mesh": 0, **node} for node in nodes],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
         "buffers": [{"byteLength": 16 * count}],
-        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 12 * count}, {"buffer": 0, "byteOffset": 12 * count, "byteLength": 4 * count}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 12 * count},
+                        {"buffer": 0, "byteOffset": 12 * count, "byteLength": 4 * count}],
         "accessors": [{"bufferView": 0, "componentType": 5126, "count": count, "type": "VEC3",
                        "min": vertices.min(0).tolist(), "max": vertices.max(0).tolist()},
-                      {"bufferView": 1, "componentType": 5125, "count": count, "type": "SCALAR"}]}, data + np.arange(count, dtype="<u4").tobytes()
+                      {"bufferView": 1, "componentType": 5125, "count": count, "type": "SCALAR"}],
+    }, data + np.arange(count, dtype="<u4").tobytes()
 
 
 def in_text(document, data):
     """A glTF file that holds its buffer."""
-    document["buffers"] = [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]
+    uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+    document["buffers"] = [{"byteLength": len(data), "uri": uri}]
     return json.dumps(document).encode()
 
 
