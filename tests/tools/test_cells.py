@@ -30,8 +30,10 @@ GRIDS = [
     (LATTICE, grid_of("0.3,0.5,0.25", "-2,-2.1,-2", "13,9,17")), (LATTICE, grid_of("0.06,0.7,0.9", "-2,-2,-2", "70,7,5")),
     (LATTICE, grid_of("0.03,0.5,0.5", "-2,-2,-2", "128,8,9")), (LATTICE, grid_of("0.001,4,4", "-2,-2,-2", "4101,1,1")),
     (LATTICE, grid_of("0.5", "50,50,50", "10,11,12")), (LATTICE, grid_of("0.30000000001", "-2,-2,-2", "12,13,14")),
-    (LATTICE, ("--cell", "0.4,0.7,1.1")), (LATTICE, grid_of("0.3", "-0.7,-1.1,0.2", "3,9,4")), (LATTICE, ("--resolution", "5", "--origin", "-5,-3,-2.5")),
-    (LATTICE, grid_of("0.1", "-2,-2,-2", "5,70,9")), *((LATTICE, grid_of(text_of(4 / n for n in size), "-2,-2,-2", "%d,%d,%d" % size))
+    (LATTICE, ("--cell", "0.4,0.7,1.1")), (LATTICE, grid_of("0.3", "-0.7,-1.1,0.2", "3,9,4")),
+    (LATTICE, ("--resolution", "5", "--origin", "-5,-3,-2.5")),
+    (LATTICE, grid_of("0.1", "-2,-2,-2", "5,70,9")), *((LATTICE,
+                                                        grid_of(text_of(4 / n for n in size), "-2,-2,-2", "%d,%d,%d" % size))
                                                       for size in ((256, 4, 4), (3, 256, 4), (4, 4, 256))),
     (HIGH, ("--resolution", "13")), (HIGH, ("--cell", "1.1")), (HIGH, grid_of("0.7", "1000001.3,-699998.7,600001.1", "11,12,13")),
     (FAR, ("--resolution", "7")), (FAR, ("--cell", "0.7")), (FAR, ("--cell", "0.3,0.9,1.7", "--origin", "557818.1,5108008.3,810.5")),
@@ -59,7 +61,8 @@ class Answers(Voxels):
         mesh, size = self.mesh_of(triangles), grid["size"]
         note = "note: .* does not hold that its cells are shifted by %s$" % text_of(shift).replace("557818.30000000005", "557818.3")
         has_place = ending.rpartition(".")[2] in ("npz", "vdb", "vti", "nrrd", "binvox")
-        path, found = self.voxelize(mesh, *options, ending=ending, note=".* does not hold that its cells are shifted by" if any(shift) and not has_place else None)
+        path, found = self.voxelize(mesh, *options, ending=ending,
+                                    note=".* does not hold that its cells are shifted by" if any(shift) and not has_place else None)
         cells, stated = readers.read(path, size)
         self.assertTrue(np.array_equal(cells != 0, truth), (ending, options))
         self.assertEqual((found["occupied"], found["output"], found["grid"], found["triangles"], found["not_finite"]),
@@ -107,14 +110,16 @@ class Answers(Voxels):
         found = self.ask("voxelize", flat, "-r", "4", "--count")
         self.assertEqual((found["grid"]["size"], found["occupied"]), ([4, 4, 1], 13))
         point = self.write("point.obj", "v 1 2 3\nf 1 1 1\n")
-        self.assertEqual(self.ask("voxelize", point, "-c", "1", "--count")["grid"], {"origin": [1, 2, 3], "cell": [1] * 3, "size": [1] * 3})
+        self.assertEqual(self.ask("voxelize", point, "-c", "1", "--count")["grid"],
+                         {"origin": [1, 2, 3], "cell": [1] * 3, "size": [1] * 3})
         self.fail_with(1, "point.obj: the whole mesh lies in one point and has no longest side; give --cell in place of --resolution", "voxelize", point,
                        "-r", "4", "--count")
 
     def test_not_finite(self):
         nan = ((meshes.NAN, 0, 0), (9, 0, 0), (0, 9, 0))
         mesh = self.write("nan.f32", meshes.pack_floats([nan, ((0, 0, 0), (1, 0, 0), (0, 1, 0))]))
-        self.assertEqual(self.ask("voxelize", mesh, "-r", "2", "--count", note="1 of 2 triangles have NaN")["grid"]["size"], [2, 2, 1])
+        self.assertEqual(self.ask("voxelize", mesh, "-r", "2", "--count", note="1 of 2 triangles have NaN")["grid"]["size"],
+                         [2, 2, 1])
         result = harness.run("voxelize", self.write("all.f32", meshes.pack_floats([nan])), "-r", "2", "--count")
         self.assertEqual(result.code, 1)
         self.assertIn("none of its triangles has finite coordinates", result.stderr)
@@ -125,9 +130,11 @@ class Answers(Voxels):
         rows = [("a grid of .* cells takes .*, a bit per cell; the most is 16.0 GiB: choose fewer cells", "-r", "2000000000"),
                 ("the grid has more than 2147483648 cells along the x axis; choose larger cells", "--cell", "1e-30"),
                 ("reaches beyond what double holds on the y axis", *grid_of("1,1e308,1", "0,0,0", "2,9,2")),
-                ("the mesh ends at x = [0-9.]+, before the grid starts at 100; move --origin, or give --size", "-c", "1", "--origin", "100,0,0")]
+                ("the mesh ends at x = [0-9.]+, before the grid starts at 100; move --origin, or give --size", "-c", "1",
+                 "--origin", "100,0,0")]
         for axis, origin, cell, size, words in (
-                ("x", "1e18,0,0", "1", "2,2,2", ("1e\\+18", "1", "128")), ("y", "0,-1e18,0", "1", "2,2,2", ("-1e\\+18", "1", "128")),
+                ("x", "1e18,0,0", "1", "2,2,2", ("1e\\+18", "1", "128")),
+            ("y", "0,-1e18,0", "1", "2,2,2", ("-1e\\+18", "1", "128")),
                 ("z", "0,0,5108010", "1,1,1e-10", "2,2,9", ("5108010.000000001", "1e-10", "9.313225746154785e-10")),
                 ("y", "0,9007199254740992,0", "1", "9,9,9", (r"9.007199254741e\+15", "1", "2"))):
             rows.append((finer % (axis, *words), *grid_of(cell, origin, size)))
@@ -137,26 +144,33 @@ class Answers(Voxels):
             self.fail_with(1, r"no.vox: .vox holds at most 256 cells on each axis, the grid has %s; choose fewer cells, or write .npy, .binvox or .raw"
                            % size.replace(",", " x "), "voxelize", mesh, "-c", "1", "--size", size, "-o", self.path("no.vox"))
         self.refuse(1, "voxelize", [(row[0], mesh, *row[1:], "-o", self.path("x.npy")) for row in rows] + [
-            ("binvox takes cubic cells only, these are 1 x 1 x 2; give --cell one length, or choose .npy", mesh, "-c", "1,1,2", "-o", self.path("x.binvox")),
-            ("binvox fills a grid up to a cube, here of 3000000.3 cells, and 2097152.3 are the most", mesh, *grid_of("1", "0,0,0", "1,3000000,1"),
+            ("binvox takes cubic cells only, these are 1 x 1 x 2; give --cell one length, or choose .npy", mesh, "-c", "1,1,2",
+             "-o", self.path("x.binvox")),
+            ("binvox fills a grid up to a cube, here of 3000000.3 cells, and 2097152.3 are the most", mesh,
+             *grid_of("1", "0,0,0", "1,3000000,1"),
              "-o", self.path("long.binvox"))])
         huge = (mesh, *grid_of("0.0001", "-2,-2,-2", "16384,16384,16384"))
         most = "the most is 16.0 GiB: choose fewer cells, or "
         self.refuse(1, "voxelize", [
-            (r"a grid of 16384 x 16384 x 16384 cells takes 512 GiB, a bit per cell; %swrite bricks, -o FILE.npz or .vdb" % most, *huge, "-o", "x.raw"),
-            (".*" + most + "write bricks, -o FILE.npz or .vdb", *huge, "--fill", "outside", "-o", "x.raw"), (".*choose fewer cells, or leave out --thin", mesh,
-                                                                                                   "-r", "60000", "--thin", "-o", "x.npz"),
+            (r"a grid of 16384 x 16384 x 16384 cells takes 512 GiB, a bit per cell; %swrite bricks, -o FILE.npz or .vdb" % most,
+             *huge, "-o", "x.raw"),
+            (".*" + most + "write bricks, -o FILE.npz or .vdb", *huge, "--fill", "outside", "-o", "x.raw"),
+            (".*choose fewer cells, or leave out --thin", mesh,
+                                                                                                   "-r", "60000", "--thin", "-o",
+             "x.npz"),
             (".*" + most + "leave out the picture", *huge, "-o", "x.npz", "-p", "x.png")][:4 if not harness.lacks("libpng") else 3])
 
     def test_other_tests(self):
         """Fewer axes find what they find; conservative more, fast says what it left undecided."""
         mesh, options = self.mesh_of(LATTICE), GRIDS[2][1]
         exact = meshes.occupied(LATTICE, {"origin": [-2] * 3, "cell": [0.5] * 3, "size": [8] * 3})
-        t, bounds, boxes = np.array(LATTICE), meshes.planes({"origin": [-2], "cell": [0.5], "size": [8]}, 0), np.zeros((8, 8, 8), bool)
+        t, bounds, boxes = np.array(LATTICE), meshes.planes({"origin": [-2], "cell": [0.5], "size": [8]},
+                                                            0), np.zeros((8, 8, 8), bool)
         for triangle in t:
             near = [(bounds[:-1] <= triangle[:, a].max()) & (bounds[1:] >= triangle[:, a].min()) for a in range(3)]
             boxes |= near[2][:, None, None] & near[1][:, None] & near[0]
-        for way in (("--axes", "box"), ("--axes", "plane"), ("--axes", "box,edges"), ("--accuracy", "conservative"), ("--accuracy", "fast")):
+        for way in (("--axes", "box"), ("--axes", "plane"), ("--axes", "box,edges"), ("--accuracy", "conservative"),
+                    ("--accuracy", "fast")):
             path, found = self.voxelize(mesh, *options, *way)
             cells = readers.read(path)[0] != 0
             self.assertEqual(found[way[0][2:]], way[1].split(",") if way[0] == "--axes" else way[1])
@@ -182,7 +196,8 @@ class Answers(Voxels):
         for options, tiles in ((), ""), (("--accuracy", "fast"), ", tiles of 128"):
             self.assertRegex(self.succeed("voxelize", mesh, *TILES, "--count", *options),
                              r"(?m)^occupied     \d+ cells \(.*\)\nbricks       \d+ of 8 x 8 x 8 cells%s\n" % tiles)
-        self.assertIn("\nids          the lowest triangle of each cell\n", self.succeed("voxelize", mesh, "-r", "9", "--ids", "-o", self.path("x.npz")))
+        self.assertIn("\nids          the lowest triangle of each cell\n",
+                      self.succeed("voxelize", mesh, "-r", "9", "--ids", "-o", self.path("x.npz")))
 
     def test_bunny_in_utm(self):
         """A scan, 20 m long, in the coordinates of a map."""
@@ -244,9 +259,11 @@ class Foreign(Voxels):
             for item in items:
                 cells[item.min[::-1]] = item.value
             self.assertTrue(np.array_equal(cells, truth))
-            self.assertEqual((len(items), grid.activeVoxelCount(), list(grid["size"]), list(grid["shift"])), (truth.sum(), truth.sum(), found["grid"]["size"],
+            self.assertEqual((len(items), grid.activeVoxelCount(), list(grid["size"]), list(grid["shift"])),
+                             (truth.sum(), truth.sum(), found["grid"]["size"],
                                                                                                      found.get("shift", [0, 0, 0])))
-            for own, due in ((grid.transform.voxelSize(), cell), (grid.transform.indexToWorld((0, 0, 0)), origin + cell / 2), (grid["cell"], cell)):
+            for own, due in ((grid.transform.voxelSize(), cell), (grid.transform.indexToWorld((0, 0, 0)), origin + cell / 2),
+                             (grid["cell"], cell)):
                 self.assert_near(own, due, cell + abs(origin))
         path, found = self.voxelize(self.mesh_of(LATTICE), "-r", "30", "--vdb-grid", "mask", ending=".vdb")
         with self.subTest("vdb_print"):
@@ -264,9 +281,11 @@ class Foreign(Voxels):
         self.succeed("voxelize", small, "-r", "40", "-q", "-o", self.path("small.vdb"),
                      note="note: .*small.vdb has lengths of the mesh times 1000, as OpenVDB takes no cells as small as these$")
         (grid,), _ = openvdb.readAll(self.path("small.vdb"))
-        self.assertTrue(np.allclose(grid.transform.indexToWorld((0, 0, 0)), 1000 * (np.array(grid["origin"]) + np.array(grid["cell"]) / 2), rtol=1e-6, atol=0))
+        self.assertTrue(np.allclose(grid.transform.indexToWorld((0, 0, 0)),
+                                    1000 * (np.array(grid["origin"]) + np.array(grid["cell"]) / 2), rtol=1e-6, atol=0))
         self.assertTrue(np.allclose(grid.transform.voxelSize(), 1000 * np.array(grid["cell"]), rtol=1e-6, atol=0))
-        self.fail_with(1, "are too small for .vdb; write .npz", "voxelize", small, *grid_of("1e-30", "0,0,0", "4,4,4"), "-o", self.path("x.vdb"))
+        self.fail_with(1, "are too small for .vdb; write .npz", "voxelize", small, *grid_of("1e-30", "0,0,0", "4,4,4"), "-o",
+                       self.path("x.vdb"))
 
 
 # Of each scene: triangles, a grid of some tiles, options, and the endings of the files.
@@ -284,15 +303,21 @@ SCENES = {
     "few": (LATTICE, ("-r", "150"), (), ("npz", "binvox", "vox", "npy", "vti", "nrrd", "cells")),
     "small": (LATTICE[:1], ("-r", "9"), (), ("npz", "vox")),
     "box": (LATTICE, TILES, ("--axes", "box"), ("npz",)), "no box": (LATTICE, grid_of("0.02,0.5,0.5", "-2,-2,-2", "200,8,8"), ("--axes", "plane,edges"), ("npz",)),
-    "conservative": (LATTICE, TILES, ("--accuracy", "conservative"), ("npz", "raw")), "fast": (LATTICE, TILES, ("--accuracy", "fast"), ("npz",)),
+    "conservative": (LATTICE, TILES, ("--accuracy", "conservative"), ("npz", "raw")),
+    "fast": (LATTICE, TILES, ("--accuracy", "fast"), ("npz",)),
     # A triangle whose rounded cells reach into a tile that it does not touch itself.
-    **{"long " + word: ([((float.fromhex("0x1.fffffep-38"), float.fromhex("0x1.000002p+8"), .5), (float.fromhex("0x1.fffffcp+7"), 0, .5), (1, 1, .5))],
+    **{"long " + word: ([((float.fromhex("0x1.fffffep-38"), float.fromhex("0x1.000002p+8"), .5),
+                          (float.fromhex("0x1.fffffcp+7"), 0, .5), (1, 1, .5))],
                         grid_of("1", "0,0,0", "384,384,8"), ("--accuracy", word), ("npz",)) for word in ("conservative", "fast")},
-    "scalar": (LATTICE, TILES, ("--kernel", "scalar"), ("npz",)), "nothing": (LATTICE, grid_of("1", "100,100,100", "200,200,200"), (), ("npz", "raw", "ply")),
-    "shifted": (LATTICE, ("--shift", "1000,-5,0.1", "-r", "200"), (), ("npz", "binvox")), "auto": (FAR, ("--shift", "auto", "-r", "200"), (), ("npz",)),
-    "ids": (np.concatenate([MANY, NEVER, MANY[::-7]]), grid_of("0.03,0.06,0.03", "-2,-2,-2", "131,66,130"), ("--ids",), ("npz", "npy", "raw", "nrrd", "vti")),
+    "scalar": (LATTICE, TILES, ("--kernel", "scalar"), ("npz",)),
+    "nothing": (LATTICE, grid_of("1", "100,100,100", "200,200,200"), (), ("npz", "raw", "ply")),
+    "shifted": (LATTICE, ("--shift", "1000,-5,0.1", "-r", "200"), (), ("npz", "binvox")),
+    "auto": (FAR, ("--shift", "auto", "-r", "200"), (), ("npz",)),
+    "ids": (np.concatenate([MANY, NEVER, MANY[::-7]]), grid_of("0.03,0.06,0.03", "-2,-2,-2", "131,66,130"), ("--ids",),
+            ("npz", "npy", "raw", "nrrd", "vti")),
     "deflated": (LATTICE, TILES, ("--deflate",), ("npz",)), "deflated ids": (LATTICE, TILES, ("--ids", "--deflate"), ("npz",)),
-    **{"%s %s %s" % (fill, name, what): (np.array(SHELL) + offset, grid, ("--fill", fill, *((what,) if what else ())), ("npz", "raw", "vti"))
+    **{"%s %s %s" % (fill, name, what): (np.array(SHELL) + offset, grid, ("--fill", fill, *((what,) if what else ())),
+                                         ("npz", "raw", "vti"))
        for fill in ("outside", "parity", "middles") for name, grid, offset in (("held", HELD, 0), ("cut", CUT, 1 / 3e9))
        for what in ("", "--labels", "--inside-only") if fill != "middles" or not what},
     "thin": (SHELL, HELD, ("--thin",), ("npz", "raw")), "thin filled": (SHELL, HELD, ("--thin", "--fill", "outside"), ("npz",)),
@@ -305,13 +330,15 @@ class Ways(Voxels):
     def of_mesh(self, mesh, words, ending):
         for threads in ("2", "7"):
             yield "threads", self.out("voxelize", mesh, *words, "-t", threads, "--out-format", ending, **self.how)
-        yield "pipe", harness.run("voxelize", "-", "--format", mesh[-3:], *words, "--out-format", ending, "-o", "-", stdin=read(mesh)).octets
+        yield "pipe", harness.run("voxelize", "-", "--format", mesh[-3:], *words, "--out-format", ending, "-o", "-",
+                                  stdin=read(mesh)).octets
 
     def parts(self, where, words, count=3):
         """The paths of all shards; each says which it is, and their tiles go on where those before them end."""
         paths, at = [self.path("%d.part.npz" % n) for n in range(1, count + 1)], 0
         for n, path in enumerate(paths, 1):
-            found = self.ask("voxelize", *where, *words, "--shard", "%d/%d" % (n, count), "-t", str(n % 3 + 1), "-o", path, **self.how)
+            found = self.ask("voxelize", *where, *words, "--shard", "%d/%d" % (n, count), "-t", str(n % 3 + 1), "-o", path,
+                             **self.how)
             self.assertEqual([found[key] for key in ("shard", "shards", "first_tile")], [n, count, at])
             at += found["tiles"]
         return paths
@@ -365,7 +392,8 @@ class Ways(Voxels):
             for folders in self.partitions(mesh, t, grid, options):
                 self.how = {}
                 for ending, whole in wholes.items():
-                    self.assertTrue(self.out("voxelize", *folders, *options, "-t", "2", "--out-format", ending) == whole, (name, folders, ending))
+                    self.assertTrue(self.out("voxelize", *folders, *options, "-t", "2", "--out-format", ending) == whole,
+                                    (name, folders, ending))
                 if not is_filled:
                     self.assertEqual([read(part) for part in self.parts(folders, options)], octets)
 
@@ -384,7 +412,8 @@ class Ways(Voxels):
                 self.assertNotIn("output", counted)
             if not {"--fill", "--thin"} & set(options):
                 shards = [self.ask("voxelize", mesh, *grid, *options, "--count", "--shard", "%d/3" % n) for n in (1, 2, 3)]
-                self.assertEqual([sum(shard[key] for shard in shards) for key in ("occupied", "bricks")], [found[key] for key in ("occupied", "bricks")])
+                self.assertEqual([sum(shard[key] for shard in shards) for key in ("occupied", "bricks")],
+                                 [found[key] for key in ("occupied", "bricks")])
 
 
 if __name__ == "__main__":

@@ -40,8 +40,10 @@ class Places(Files):
             expected = self.out("voxelize", self.mesh, "-r", "20", "--out-format", word)
             for command in (("voxelize", self.mesh, "-r", "20"), ("merge", part)):
                 done = harness.run(*command, "--out-format", word, "-o", "-", env={"TMPDIR": temporary})
-                self.assertEqual((done.code, done.stderr, done.octets, os.listdir(temporary)), (0, "", expected, []), (word, command[0]))
-        self.fail_with(1, "^tribox voxelize: /nonexistent: cannot write there: No such file", "voxelize", self.mesh, "-r", "20", "--out-format", "npz", "-o", "-",
+                self.assertEqual((done.code, done.stderr, done.octets, os.listdir(temporary)), (0, "", expected, []),
+                                 (word, command[0]))
+        self.fail_with(1, "^tribox voxelize: /nonexistent: cannot write there: No such file", "voxelize", self.mesh, "-r", "20",
+                       "--out-format", "npz", "-o", "-",
                        env={"TMPDIR": "/nonexistent"})
         result = harness.run("voxelize", "-", "--format", "f32", "-r", "20", "-o", "-", "--out-format", "npy",
                              stdin=read(self.mesh) + struct.pack("<9f", *[meshes.NAN] * 9))
@@ -58,17 +60,23 @@ class Places(Files):
 
     def test_from_a_pipe(self):
         """Of one triangle, of blocks, and of so many that the memory grows twice."""
-        for count, (form, pack) in itertools.product((1, 4096, 4097, 65536, 65537, 163843), (("f32", meshes.pack_floats), ("stl", meshes.stl_binary))):
+        for count, (form, pack) in itertools.product((1, 4096, 4097, 65536, 65537, 163843),
+                                                     (("f32", meshes.pack_floats), ("stl", meshes.stl_binary))):
             packed = pack(np.concatenate([np.resize(LATTICE, (count - 1, 3, 3)), [((-3, -3, -3), (9, 9, 9), (2, 8, 5))]]))
             words = ("-r", "20", "--out-format", "raw")
-            self.assertEqual(self.out("voxelize", "-", "--format", form, *words, stdin=packed), self.out("voxelize", self.write("m." + form, packed), *words))
+            self.assertEqual(self.out("voxelize", "-", "--format", form, *words, stdin=packed),
+                             self.out("voxelize", self.write("m." + form, packed), *words))
         gigantic = bytes(80) + struct.pack("<I", 2 ** 32 - 1) + bytes(500)
-        for form, content, pattern in (("f32", b"", "contains no triangles"), ("f32", bytes(50), "truncated: 1 triangles were read"),
-                                       ("stl", gigantic, r"truncated: \d+ of \d+ promised"), ("stl", packed[:-1], r"truncated: \d+ of \d+ promised")):
-            self.fail_with(1, "stdin: " + pattern, "voxelize", "-", "--format", form, "-r", "9", "-o", self.path("x.raw"), stdin=content)
+        for form, content, pattern in (("f32", b"", "contains no triangles"),
+                                       ("f32", bytes(50), "truncated: 1 triangles were read"),
+                                       ("stl", gigantic, r"truncated: \d+ of \d+ promised"),
+                                       ("stl", packed[:-1], r"truncated: \d+ of \d+ promised")):
+            self.fail_with(1, "stdin: " + pattern, "voxelize", "-", "--format", form, "-r", "9", "-o", self.path("x.raw"),
+                           stdin=content)
         limit = self.need_limit(resource.RLIMIT_AS, 64 * MIB)
         self.fail_with(1, r"stdin: after \d+ triangles the next take [\d.]+ MiB of memory and [\d.]+ MiB are available; save the mesh as a file, which takes "
-                       "less", "voxelize", "-", "--format", "f32", "-c", "1", "-o", self.path("x.raw"), stdin=bytes(36 << 20), limit=limit)
+                       "less", "voxelize", "-", "--format", "f32", "-c", "1", "-o", self.path("x.raw"), stdin=bytes(36 << 20),
+                       limit=limit)
 
     def test_nobody_takes_it(self):
         """A reader that has gone, a full disk, a terminal."""
@@ -120,7 +128,8 @@ class Places(Files):
             os.symlink("link" + ending, links[1])
             there = self.there()
             self.succeed("voxelize", self.mesh, "-r", "4", "-q", "-o", links[1])
-            self.assertEqual((self.there(), os.readlink(links[0]), max(readers.read(self.path(name + ending))[0].shape)), (there, name + ending, 4))
+            self.assertEqual((self.there(), os.readlink(links[0]), max(readers.read(self.path(name + ending))[0].shape)),
+                             (there, name + ending, 4))
             for link in links:
                 os.unlink(link)
 
@@ -131,14 +140,17 @@ class Places(Files):
         self.succeed("partition", self.mesh, "-r", "90", "-q", "-o", self.path("tiles"))
         old = self.write("old", "what was there")
         for word, limit in itertools.product((*FORMATS, *["vdb"] * (not harness.lacks("OpenVDB"))), (0, 100, 2000)):
-            self.fail_with(1, "old: " + (TOO_LARGE if word != "vdb" else ""), "voxelize", self.mesh, "-r", "90", "--out-format", word, "-o", old,
+            self.fail_with(1, "old: " + (TOO_LARGE if word != "vdb" else ""), "voxelize", self.mesh, "-r", "90", "--out-format",
+                           word, "-o", old,
                            limit=(resource.RLIMIT_FSIZE, limit))
             if word != "vdb":
-                self.fail_with(1, "old: " + TOO_LARGE, "merge", part, "--out-format", word, "-o", old, limit=(resource.RLIMIT_FSIZE, limit))
+                self.fail_with(1, "old: " + TOO_LARGE, "merge", part, "--out-format", word, "-o", old,
+                               limit=(resource.RLIMIT_FSIZE, limit))
         for words in ((self.mesh, "-r", "90", "--shard", "1/1"), (self.path("tiles"),)):
             self.fail_with(1, TOO_LARGE, "voxelize", *words, "-o", self.path("x.npz"), limit=(resource.RLIMIT_FSIZE, 1000))
         for size in ("100,20000,100", "20000,100,100"):  # the cube is not written on where the disk is full
-            self.fail_with(1, TOO_LARGE, "voxelize", self.mesh, *grid_of("1", "0,0,0", size), "-o", self.path("long.binvox"), limit=(resource.RLIMIT_FSIZE, 20000))
+            self.fail_with(1, TOO_LARGE, "voxelize", self.mesh, *grid_of("1", "0,0,0", size), "-o", self.path("long.binvox"),
+                           limit=(resource.RLIMIT_FSIZE, 20000))
         self.assertEqual(read(old), b"what was there")
 
     def test_layers(self):
@@ -147,7 +159,8 @@ class Places(Files):
         os.truncate(self.path("hole"), MIB)
         is_sparse = os.stat(self.path("hole")).st_blocks <= 64
         rows = [("npy", "0.03", "130,701,300", "125"), ("raw", "0.03", "130,701,300", "2"), ("vti", "0.03", "1000,120,160", "2")]
-        rows += [(word, "0.05", size, "2") for word in ("npy", "nrrd", "vti", "raw") for size in ("200,100,300", "4096,3,50", "8192,2,9", "8191,3,7", "64,64,2", "1,1,1")]
+        rows += [(word, "0.05", size, "2") for word in ("npy", "nrrd", "vti", "raw")
+                 for size in ("200,100,300", "4096,3,50", "8192,2,9", "8191,3,7", "64,64,2", "1,1,1")]
         for word, cell, size, threads in rows:
             for origin in ("-2.3,-2,-2.1",) if cell == "0.03" else ("-2,-2,-2", "-9,-9,-9", "50,50,50"):
                 words = ("voxelize", self.mesh, *grid_of(cell, origin, size), "--out-format", word)
@@ -158,7 +171,8 @@ class Places(Files):
                 if is_sparse and size == "200,100,300":
                     self.assertLess(512 * about.st_blocks, about.st_size / 2, (origin, word))
                 if cell == "0.03":
-                    self.fail_with(1, "x.npy: " + TOO_LARGE, *words, "-t", threads[-1], "-o", self.path("x.npy"), limit=(resource.RLIMIT_FSIZE, len(piped) // 2))
+                    self.fail_with(1, "x.npy: " + TOO_LARGE, *words, "-t", threads[-1], "-o", self.path("x.npy"),
+                                   limit=(resource.RLIMIT_FSIZE, len(piped) // 2))
 
     def test_many(self):
         """More triangles than are handed out at a time, more bricks than wait in memory, sizes around what is done at once: by any threads."""
@@ -167,10 +181,13 @@ class Places(Files):
         side = 8.0 * 600
         square = [((0, 0, 0.5), (side, 0, 0.5), (side, side, 0.5)), ((0, 0, 0.5), (side, side, 0.5), (0, side, 0.5))]
         threads = ("1", "3", "7")
-        borders = [(LATTICE, (*TILES[:-1], size), ("npz",), threads) for size in ("64,512,512", "65,512,512", "129,127,136", "8,9,70", "1,1,1")]
-        many = [(np.concatenate([small[:17000], LATTICE[:20], small[17000:]]) + e, (*grid_of("0.00617", "-2,-2,-2", "700,650,500"), *more), ("npz",), threads)
+        borders = [(LATTICE, (*TILES[:-1], size), ("npz",), threads)
+                   for size in ("64,512,512", "65,512,512", "129,127,136", "8,9,70", "1,1,1")]
+        many = [(np.concatenate([small[:17000], LATTICE[:20], small[17000:]]) + e,
+                 (*grid_of("0.00617", "-2,-2,-2", "700,650,500"), *more), ("npz",), threads)
                 for e, more in ((0, ()), (1e-9, ("--accuracy", "conservative")), (0, ("--shard", "2/3")))]
-        shared = [(np.array(meshes.lattice_triangles(500, 5)) + e, (*grid_of("0.0179", "-2,-2,-2", size), *more), ("raw",), threads) for e, size, *more in (
+        shared = [(np.array(meshes.lattice_triangles(500, 5)) + e, (*grid_of("0.0179", "-2,-2,-2", size), *more), ("raw",),
+                   threads) for e, size, *more in (
             (0, "60,70,80"), (1e-9, "60,70,80", "--accuracy", "fast"), (0, "320,256,240"), (1e-9, "64,40,900"))]
         for t, words, formats, counts in (*borders, *many, *shared, (square, grid_of("1", "0,0,0", "4800,4800,3"), ("npz",), "12")):
             mesh = self.mesh_of(t if np.array(t).dtype == float and np.array(t).max() != side else np.array(t, float), "many")
@@ -184,9 +201,12 @@ class Places(Files):
         stored, tiles = readers.arrays(self.path("out.npz")), [range(first, min(first + 16, 600)) for first in range(0, 600, 16)]
         self.assertEqual(stored["at"].tolist(), [[i, j, 0] for js in tiles for is_ in tiles for j in js for i in is_])
         self.assertTrue((stored["bits"] == [2 ** 64 - 1] + [0] * 7).all())
-        few = np.float32([((x, y, 0.1), (x + .02, y, 0), (x, y + .02, .02)) for n in range(140000) for x, y in [(n % 400 / 64, n // 400 / 64)]])
-        cells = [readers.read(self.voxelize(self.mesh_of(t, "few"), *grid_of("0.25", "0,0,0", "30,30,3"), "-t", "3")[0])[0] for t in (few, few[:70000], few[70000:])]
-        self.assertTrue(np.array_equal(cells[0], cells[1] | cells[2]) and (cells[1] > cells[2]).any() and (cells[2] > cells[1]).any())
+        few = np.float32([((x, y, 0.1), (x + .02, y, 0), (x, y + .02, .02)) for n in range(140000) for x,
+                          y in [(n % 400 / 64, n // 400 / 64)]])
+        cells = [readers.read(self.voxelize(self.mesh_of(t, "few"), *grid_of("0.25", "0,0,0", "30,30,3"), "-t", "3")[0])[0]
+                 for t in (few, few[:70000], few[70000:])]
+        self.assertTrue(np.array_equal(cells[0], cells[1] | cells[2]) and (cells[1] > cells[2]).any()
+                        and (cells[2] > cells[1]).any())
 
 
 class Signals(Files):
@@ -218,7 +238,8 @@ class Signals(Files):
         self.end(signal.SIGKILL, 1, "", "voxelize", self.mesh, *self.BIG, out)
         self.assertEqual(read(out), b"what was there")
         many = self.write("many.f32", meshes.pack_floats(meshes.lattice_triangles(400, seed=2)))
-        self.end(signal.SIGTERM, 1, again + "shard 2 of 3 again, parts that are there stay good", "voxelize", many, *grid_of("0.001", "-2,-2,-2", "4000,4000,4000"),
+        self.end(signal.SIGTERM, 1, again + "shard 2 of 3 again, parts that are there stay good", "voxelize", many,
+                 *grid_of("0.001", "-2,-2,-2", "4000,4000,4000"),
                  "-q", "--shard", "2/3", "-o", shard)
 
     def test_ignored(self):
@@ -234,7 +255,8 @@ class Signals(Files):
     def test_at_any_moment(self):
         """Nothing stands under the name but the whole; after a signal that can be caught nothing is left beside it either."""
         pick, mesh = random.Random(SEED), self.mesh_of(meshes.lattice_triangles(60, 3), "some")
-        for arguments in (("voxelize", mesh, *TILES, "-q", "-o", self.path("out")), ("partition", mesh, *TILES, "-q", "-o", self.path("out")),
+        for arguments in (("voxelize", mesh, *TILES, "-q", "-o", self.path("out")),
+                          ("partition", mesh, *TILES, "-q", "-o", self.path("out")),
                           ("partition", mesh, "-r", "2000", "-m", "3000", "-q", "-o", self.path("out")),
                           ("voxelize", mesh, *TILES, "-q", "--shard", "1/1", "-o", self.path("out"))):
             arguments += ("--out-format", "npz") * (arguments[0] == "voxelize")
@@ -271,7 +293,8 @@ class Signals(Files):
         def has_child():
             try:
                 found = self.children(process)
-                return found and (not is_at_work or any(".tribox-" in os.readlink("/proc/%d/fd/%s" % (found[0], fd)) for fd in os.listdir("/proc/%d/fd" % found[0])))
+                return found and (not is_at_work or any(".tribox-" in os.readlink("/proc/%d/fd/%s" % (found[0], fd))
+                                                        for fd in os.listdir("/proc/%d/fd" % found[0])))
             except OSError:
                 return False
         self.wait_for(has_child, process)
@@ -288,7 +311,8 @@ class Signals(Files):
             os.kill(child if is_child else process.pid, number)
             error = process.communicate(timeout=60)[1].decode()
             self.assertEqual((process.returncode, self.there()), (1 if is_child else -number, there))
-            self.assert_one_line(error, r"big\.vdb: OpenVDB failed: it broke off, most likely for lack of memory; write \.npz$" if is_child else
+            self.assert_one_line(error, r"big\.vdb: OpenVDB failed: it broke off, most likely for lack of memory; write \.npz$"
+                                 if is_child else
                                  "^tribox voxelize: interrupted: nothing was written; run it again$")
             self.wait_for(lambda: not os.path.exists("/proc/%d" % child) or b") Z" in read("/proc/%d/stat" % child))
             self.assertTrue(not os.path.exists("/proc/%d" % child) or b") Z" in read("/proc/%d/stat" % child))
@@ -307,7 +331,8 @@ class Signals(Files):
                     with open(its, "w") as file:
                         file.write("#!/bin/sh\n" + lines + "\n")
                     os.chmod(its, 0o755)
-                done = subprocess.run([alone, "voxelize", self.mesh, "-r", "40", "-o", self.path("x.vdb")], env=environment, capture_output=True, text=True)
+                done = subprocess.run([alone, "voxelize", self.mesh, "-r", "40", "-o", self.path("x.vdb")], env=environment,
+                                      capture_output=True, text=True)
                 self.assertEqual((done.returncode, done.stdout), (1, ""))
                 self.assert_one_line(done.stderr, r"x\.vdb: " + reason + r"; write \.npz$")
 
@@ -316,7 +341,8 @@ class Memory(Files):
     def test_refused_before_it_is_taken(self):
         limit = self.need_limit(resource.RLIMIT_AS, 1 << 30)
         self.fail_with(1, r"^tribox voxelize: 4000 x 4000 x 4000 cells take 7\.5 GiB of memory here and [\d.]+ MiB are available: choose fewer cells, or write "
-                       "bricks, -o FILE.npz or .vdb$", "voxelize", self.mesh, "-c", "0.001", "--size", "4000,4000,4000", "-o", self.path("x.raw"), limit=limit)
+                       "bricks, -o FILE.npz or .vdb$", "voxelize", self.mesh, "-c", "0.001", "--size", "4000,4000,4000", "-o",
+                       self.path("x.raw"), limit=limit)
         self.out("voxelize", self.mesh, "-c", "0.001", "--size", "4000,400,4000", limit=limit)
 
     @harness.unless_sanitized
@@ -328,7 +354,8 @@ class Memory(Files):
         self.succeed("partition", mesh, "-r", "300", "-q", "-o", self.path("tiles"))
 
         def within(limit, out, *words, pattern="memory"):
-            there, result = self.there(), harness.run("voxelize", *words, "-q", "-o", self.path(out), limit=(resource.RLIMIT_AS, limit))
+            there, result = self.there(), harness.run("voxelize", *words, "-q", "-o", self.path(out),
+                                                      limit=(resource.RLIMIT_AS, limit))
             if result.code:
                 self.assertEqual((result.code, self.there()), (1, there), (limit, result.stderr))
                 self.assert_one_line(result.stderr, pattern)
@@ -338,7 +365,8 @@ class Memory(Files):
             os.remove(self.path(out))
             return written
         grid = (mesh, "-r", "300")
-        for out, *words in (("x.npz", *grid), ("x.npz", self.path("tiles")), ("x.npz", *grid, "--shard", "1/2"), ("x.raw", *grid), ("x.raw", *grid, "--fill", "outside")):
+        for out, *words in (("x.npz", *grid), ("x.npz", self.path("tiles")), ("x.npz", *grid, "--shard", "1/2"), ("x.raw", *grid),
+                            ("x.raw", *grid, "--fill", "outside")):
             whole = within(1 << 40, out, *words)
             for limit in range(least, least + 72 * MIB, 6 * MIB):
                 alone = within(limit, out, *words, "-t", "1")
@@ -348,7 +376,8 @@ class Memory(Files):
                     within(limit, out, *words, "-t", "8")
         if not harness.lacks("OpenVDB"):  # which starts threads and may end the process that it is in
             for limit in [1 << 40, *range(least, least + 144 * MIB, 9 * MIB)]:
-                written = within(limit, "x.vdb", mesh, "-r", "100", "-t", "2", pattern=r"x\.vdb: .*(memory|failed|cannot).*; write \.npz$")
+                written = within(limit, "x.vdb", mesh, "-r", "100", "-t", "2",
+                                 pattern=r"x\.vdb: .*(memory|failed|cannot).*; write \.npz$")
                 wholes |= {readers.without_vdb_id(written)} if written else set()
             self.assertEqual(len(wholes), 1)
 
@@ -359,7 +388,8 @@ class Progress(Files):
         bar = r"\A(\r(%s) \[#*\.*\] +\d+ %%  %s[^\r\n]* left *)+\r +\r\Z"
         for words, pattern in ((("-r", "8", "-o", self.path("x.npy")), None), (("-r", "700", "-q", "-o", self.path("x.npy")), None),
                                (("-r", "700", "-o", self.path("x.npy")), bar % ("voxelizing|writing", "")),
-                               (("-r", "2500", "--count", "-t", "1"), bar % ("voxelizing", r"[\d.]+k? of [\d.]+k? tiles, [\d.]+k?/s, "))):
+                               (("-r", "2500", "--count", "-t", "1"),
+                                bar % ("voxelizing", r"[\d.]+k? of [\d.]+k? tiles, [\d.]+k?/s, "))):
             said = self.on_terminal("voxelize", self.mesh, *words)
             if said or not pattern:  # the work has taken long enough
                 self.assertRegex(said, pattern or r"\A\Z")
@@ -381,7 +411,8 @@ class Progress(Files):
                 if "reading" in shown:
                     break
             self.assertRegex(shown, r"\A(\rreading \[#*\.*\] +\d+ %  [^\r\n]*)+\r +\r")
-            self.assertEqual(self.on_terminal("voxelize", mesh, "-r", "8", "-t", "1", "-q", "-o", self.path("x.npy"), meanwhile=rest(seconds)), "")
+            self.assertEqual(self.on_terminal("voxelize", mesh, "-r", "8", "-t", "1", "-q", "-o", self.path("x.npy"),
+                                              meanwhile=rest(seconds)), "")
 
 
 del Voxels  # whose own tests are of another script

@@ -66,11 +66,13 @@ class Filled(Voxels):
                 if fill == "outside" and grid == CUT:
                     continue  # which is not closed in the grid
                 self.assertTrue((truth == 1).sum() > 1000 and (truth == 2).sum() > 1000)
-                for word, more in (("npz", ()), ("npz", ("--deflate",)), ("npy", ()), ("nrrd", ()), ("vti", ()), ("raw", ()), ("vox", ()), ("npz", BY_TILES),
+                for word, more in (("npz", ()), ("npz", ("--deflate",)), ("npy", ()), ("nrrd", ()), ("vti", ()), ("raw", ()),
+                                   ("vox", ()), ("npz", BY_TILES),
                                    ("npz", (*BY_TILES, "-t", "1"))):
                     path, found = self.voxelize(mesh, *grid, "--fill", fill, "--labels", *more, ending="." + word)
                     self.assertTrue(np.array_equal(readers.read(path, size, "labels")[0], truth), (word, fill, more))
-                    self.assertEqual([found[key] for key in ("fill", "cells", "occupied", "inside")], [fill, "labels", (truth == 1).sum(), (truth == 2).sum()])
+                    self.assertEqual([found[key] for key in ("fill", "cells", "occupied", "inside")],
+                                     [fill, "labels", (truth == 1).sum(), (truth == 2).sum()])
                     self.assertEqual(found.get("odd_rows"), 0 if fill == "parity" else None)
                 for options, due in (((), truth > 0), (("--inside-only",), truth == 2)):
                     for word, more in (("npz", ()), ("npz", BY_TILES), ("raw", ()), ("cells", ())):
@@ -106,7 +108,8 @@ class Filled(Voxels):
         """Without the face at the upper end of x; rays leave through it once."""
         mesh = self.mesh_of(BOX[:-2], "open")
         for fill in ("parity", "middles"):
-            found = self.ask("voxelize", mesh, *AROUND, "--fill", fill, "--count", note=r"warning: .*open.f32 is not closed: 42 rows of cells cross it an "
+            found = self.ask("voxelize", mesh, *AROUND, "--fill", fill, "--count",
+                             note=r"warning: .*open.f32 is not closed: 42 rows of cells cross it an "
                              "odd number of times" if fill == "parity" else "not closed: 42 rows of cells")
             self.assertEqual(found["odd_rows"], 42)
         self.assertIn("inside       0 cells (outside; the surface is open by a cell or more, or encloses none)\n",
@@ -130,7 +133,8 @@ class Filled(Voxels):
         found = self.ask("voxelize", mesh, *grid, "--count", "-t", "2", **how)
         self.assertGreater(found["occupied"], 40_000_000)
         self.succeed("partition", mesh, *grid, "-q", "-o", self.path("tiles"), **how)
-        counts = [self.ask("voxelize", self.path("tiles"), "--count", "-t", "1", "--shard", "%d/2" % n, **how)["occupied"] for n in (1, 2)]
+        counts = [self.ask("voxelize", self.path("tiles"), "--count", "-t", "1", "--shard", "%d/2" % n, **how)["occupied"]
+                  for n in (1, 2)]
         self.assertEqual(sum(counts), found["occupied"])
         self.assertLess(max(counts), 0.6 * found["occupied"])
 
@@ -158,7 +162,8 @@ class Thin(Voxels):
         triangles, found = meshes.lattice_triangles(3000, seed=4), set()
         for pack, ending in ((meshes.pack_floats, "f32"), (meshes.pack_doubles, "f64")):
             mesh = self.write("a." + ending, pack(triangles))
-            found |= {self.out("voxelize", mesh, "-r", "40", *options, "-t", threads, ending=".raw") for threads in "13" for options in (("--thin",),)}
+            found |= {self.out("voxelize", mesh, "-r", "40", *options, "-t", threads, ending=".raw") for threads in "13"
+                      for options in (("--thin",),)}
         self.assertEqual(len(found), 1)
 
 
@@ -228,7 +233,8 @@ class Ids(Voxels):
         inside = (k < 70) & (j < 11) & (i < 131)
         self.assertEqual((truth >= 0).sum(), inside.sum())
         self.assertTrue(np.array_equal(truth[k[inside], j[inside], i[inside]], stored["ids"][inside]))
-        self.fail_with(1, "the ids of .* cells take .* of memory in this format and .* are available; write .npz or .vdb", "voxelize", mesh, *IDS[:-1],
+        self.fail_with(1, "the ids of .* cells take .* of memory in this format and .* are available; write .npz or .vdb",
+                       "voxelize", mesh, *IDS[:-1],
                        "20000,4000,200", "--ids", "-o", self.path("x.raw"))
 
 

@@ -44,18 +44,23 @@ class Parts(Voxels):
         parts = [self.part("%d/3" % n) for n in (1, 2, 3)]
         for gone in (1, 2, 3):
             self.refuse_parts("shard %d of 3 is missing" % gone, *parts[:gone - 1], *parts[gone:])
-        self.refuse_parts("shards 1,3-4,6-9 of 9 are missing; run them, or give their parts too", *(self.part("%d/9" % n, name="n") for n in (2, 5)))
+        self.refuse_parts("shards 1,3-4,6-9 of 9 are missing; run them, or give their parts too",
+                          *(self.part("%d/9" % n, name="n") for n in (2, 5)))
         self.refuse_parts("p2.npz and .*p2.npz are both shard 2 of 3; give each once", *parts, parts[1])
         other = self.mesh_of(meshes.lattice_triangles(12, seed=7), "other")
         for what, shard, options, how in (
-                ("number of shards", "3/4", (), {}), ("grid", "3/3", (), {"grid": ("--cell", "0.3")}), ("accuracy", "3/3", ("--accuracy", "fast"), {}),
-                ("choice of axes", "3/3", ("--axes", "box"), {}), ("mesh", "3/3", (), {"mesh": other}), ("ids: some have none", "3/3", ("--ids",), {}),
+                ("number of shards", "3/4", (), {}), ("grid", "3/3", (), {"grid": ("--cell", "0.3")}),
+            ("accuracy", "3/3", ("--accuracy", "fast"), {}),
+                ("choice of axes", "3/3", ("--axes", "box"), {}), ("mesh", "3/3", (), {"mesh": other}),
+            ("ids: some have none", "3/3", ("--ids",), {}),
                 ("shift", "3/3", ("--shift", "1,2,3"), {})):
-            self.refuse_parts("they differ in the (%s|grid)" % what if what == "shift" else "they differ in the " + what, *parts[:2],
+            self.refuse_parts("they differ in the (%s|grid)" % what if what == "shift" else "they differ in the " + what,
+                              *parts[:2],
                               self.part(shard, *options, name="q", **how))
         numbered = self.part("1/1", "--ids")
         self.fail_with(1, "p1.npz: has ids, and .glb holds none: write .npz", "merge", numbered, "-o", self.path("x.glb"))
-        self.fail_with(1, "has ids, a grid of whole numbers: leave out --vdb-grid", "merge", numbered, "--vdb-grid", "mask", "-o", self.path("x.vdb"))
+        self.fail_with(1, "has ids, a grid of whole numbers: leave out --vdb-grid", "merge", numbered, "--vdb-grid", "mask", "-o",
+                       self.path("x.vdb"))
 
     def test_order(self):
         """Shards of one mesh in two orders have other ids: of its triangles, of those that are not finite, and of partitions."""
@@ -73,7 +78,8 @@ class Parts(Voxels):
                 if is_sound:
                     self.merged(*parts)
                 else:
-                    self.refuse_parts("differ in the order of the triangles, whose numbers the ids are: run the shards with one", *parts)
+                    self.refuse_parts("differ in the order of the triangles, whose numbers the ids are: run the shards with one",
+                                      *parts)
 
     def rewritten(self, path, kind=zipfile.ZIP_STORED, **arrays):
         """A part with other arrays under checksums that fit, as NumPy would write it."""
@@ -89,13 +95,15 @@ class Parts(Voxels):
         self.refuse_parts("missing.npz: cannot open the part: No such file", first, self.path("missing.npz"))
         self.refuse_parts("not a regular file", self.folder)
         data = read(second)
-        for name, content in (("mesh.ply", b"ply\n"), ("none.npz", b""), ("old.part", b"tribox part 6\n".ljust(200)), ("start.npz", data[:10]),
+        for name, content in (("mesh.ply", b"ply\n"), ("none.npz", b""), ("old.part", b"tribox part 6\n".ljust(200)),
+                              ("start.npz", data[:10]),
                               ("cut.npz", data[:-1]), ("half.npz", data[:len(data) // 2]), ("long.npz", data + b"\0"),
                               ("later.npz", data[:500] + data[501:])):
             self.refuse_parts(name + ": " + DAMAGED, first, self.write(name, content))
         numbered = read(self.part("1/1", "--ids"))
         for name, why in ((b"ids", "it has members that parts do not have"), (b"size", "or no part: it lacks size.npy")):
-            self.refuse_parts("renamed.npz: damaged.*" + why, self.write("renamed.npz", numbered.replace(name + b".npy", name + b".npx")))
+            self.refuse_parts("renamed.npz: damaged.*" + why,
+                              self.write("renamed.npz", numbered.replace(name + b".npy", name + b".npx")))
         for options in ((), ("--deflate",)):  # a member of more bytes than the file has, or than deflated ones can stand for
             large = bytearray(read(self.part("1/1", *options)))
             struct.pack_into("<I", large, large.index(b"PK\1\2") + 24, 2 ** 31)
@@ -110,12 +118,14 @@ class Parts(Voxels):
         while data[at:at + 4] == b"PK\1\2":
             stored, size, name = struct.unpack_from("<2IH", data, at + 20)
             place, = struct.unpack_from("<I", data, at + 42)
-            entries.append(data[at:at + 20] + struct.pack("<2I2H", none, none, name, 28) + data[at + 32:at + 42] + struct.pack("<I", none)
+            entries.append(data[at:at + 20] + struct.pack("<2I2H", none, none, name,
+                                                          28) + data[at + 32:at + 42] + struct.pack("<I", none)
                            + data[at + 46:at + 46 + name] + struct.pack("<2H3Q", 1, 24, size, stored, place))
             at += 46 + name
         listed, count = b"".join(entries), len(entries)
         return (data[:start] + listed + struct.pack("<IQ2H2I4Q", 0x06064b50, 44, 45, 45, 0, 0, count, count, len(listed), start)
-                + struct.pack("<2IQI", 0x07064b50, 0, start + len(listed), 1) + struct.pack("<I4H2IH", 0x06054b50, 0, 0, count, count, len(listed), none, 0))
+                + struct.pack("<2IQI", 0x07064b50, 0, start + len(listed),
+                              1) + struct.pack("<I4H2IH", 0x06054b50, 0, 0, count, count, len(listed), none, 0))
 
     def test_other_forms(self):
         """Written anew, deflated, read in several pieces, and with a list of 64 bits they are the same parts."""
@@ -127,7 +137,8 @@ class Parts(Voxels):
         with zipfile.ZipFile(path) as file:
             self.assertIsNone(file.testzip())
         self.assertEqual(self.merged(first, path), whole)
-        path, fine = self.part("1/1", "--deflate", grid=("--resolution", "1200")), self.out("voxelize", self.mesh, "--resolution", "1200")
+        path, fine = self.part("1/1", "--deflate", grid=("--resolution",
+                                                         "1200")), self.out("voxelize", self.mesh, "--resolution", "1200")
         with zipfile.ZipFile(path) as file:
             self.assertGreater(file.getinfo("bits.npy").compress_size, 3 << 16)
         self.assertEqual(self.merged(path), fine)
@@ -158,13 +169,16 @@ class Parts(Voxels):
         stored, senseless = readers.arrays(path), "what it says of the whole makes no sense"
         at, bits, ids = stored["at"], stored["bits"], stored["ids"]
         rows = [("its arrays do not fit its bricks", {"at": at[:-1]}), ("its arrays do not fit its bricks", {"bits": bits[:, :7]}),
-                ("its ids are not those of its cells", {"ids": ids[:-1]}), ("its ids are not those of its cells", {"ids": np.append(ids, ids[:1])}),
-                ("its size.npy is not what was written", {"size": stored["size"][:2]}), (senseless, {"shard": np.array([0, 1], "<u4")}),
+                ("its ids are not those of its cells", {"ids": ids[:-1]}),
+                ("its ids are not those of its cells", {"ids": np.append(ids, ids[:1])}),
+                ("its size.npy is not what was written", {"size": stored["size"][:2]}),
+                (senseless, {"shard": np.array([0, 1], "<u4")}),
                 (senseless, {"shard": np.array([2, 1], "<u4")}), (senseless, {"tiles": np.array([1, 0], "<u8")}),
                 (senseless, {"shift": np.array([0, NAN, 0])}), (senseless, {"cell": np.array([0, 1., 1])}),
                 (senseless, {"whole": np.append(stored["whole"][:6], np.zeros(1, stored["whole"].dtype))})]
         for why, n, place, words in (
-                ("cells outside the grid", 0, (48, 0, 0), [0x40] + [0] * 7), ("cells outside the grid", 0, (0, 33, 0), [1 << 48] + [0] * 7),
+                ("cells outside the grid", 0, (48, 0, 0), [0x40] + [0] * 7),
+            ("cells outside the grid", 0, (0, 33, 0), [1 << 48] + [0] * 7),
                 ("cells outside the grid", 0, (0, 0, 17), [0] * 4 + [1] * 4), ("bricks outside its tiles", 0, (49, 0, 0), [1] * 8),
                 ("bricks are out of order", -1, (0, 0, 0), [1] * 8), ("bricks are out of order", -2, tuple(at[-1]), [1] * 8)):
             places, others = at.copy(), bits.copy()
@@ -172,13 +186,15 @@ class Parts(Voxels):
             rows.append(("(it has|its) %s; run shard 1 of 1 again" % why, {"at": places, "bits": others}))
         plain = self.part("1/1", name="plain")
         for why, arrays in rows:
-            self.refuse_parts("rewritten.npz: damaged: " + why, self.rewritten(plain if "bits" in arrays and "at" in arrays else path, **arrays))
+            self.refuse_parts("rewritten.npz: damaged: " + why,
+                              self.rewritten(plain if "bits" in arrays and "at" in arrays else path, **arrays))
         stored = readers.arrays(second)
         strange, (start, end) = stored["at"].copy(), stored["tiles"]
         strange[0] = 0
         for why, arrays in (("damaged: it has bricks outside its tiles; run shard 2 of 2", {"at": strange}),
                             ("begins with tile .* in place of .*: it was cut otherwise than the others; run shard 2 of 2",
-                             {"tiles": np.array([start + 1, end], "<u8")}), ("ends before the last tile", {"tiles": np.array([start, end - 1], "<u8")})):
+                             {"tiles": np.array([start + 1, end], "<u8")}),
+                            ("ends before the last tile", {"tiles": np.array([start, end - 1], "<u8")})):
             self.refuse_parts("rewritten.npz.*" + why, first, self.rewritten(second, **arrays))
 
     def test_more_shards_than_tiles(self):
@@ -195,9 +211,11 @@ class Parts(Voxels):
         root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
         script = 'i=$((OMPI_COMM_WORLD_RANK + 1)); exec "$0" voxelize "$@" --shard "$i/$OMPI_COMM_WORLD_SIZE" -o "%s.$i.npz"' % self.path("mpirun")
         words = (self.mesh, *GRID, "-q")
-        for count, *command in ((7, "parallel", "--will-cite", "-j", "2", harness.program(), "voxelize", *words, "--shard", "{}/7", "-o",
+        for count, *command in ((7, "parallel", "--will-cite", "-j", "2", harness.program(), "voxelize", *words, "--shard", "{}/7",
+                                 "-o",
                                  self.path("parallel.{}.npz"), ":::", *map(str, range(1, 8))),
-                                (3, "mpirun", *root, "--oversubscribe", "-n", "3", "sh", "-c", script, harness.program(), *words, "-t", "1")):
+                                (3, "mpirun", *root, "--oversubscribe", "-n", "3", "sh", "-c", script, harness.program(), *words,
+                                 "-t", "1")):
             if shutil.which(command[0]):
                 subprocess.run(command, check=True, timeout=100, stdin=subprocess.DEVNULL, capture_output=True)
                 self.assertEqual(self.merged(*(self.path("%s.%d.npz" % (command[0], n)) for n in range(1, count + 1))), whole)
@@ -265,8 +283,10 @@ class Partitions(Voxels):
         """Of any formats, in one grid around all; of floats and doubles; with a shift."""
         writers = {"f32": meshes.pack_floats, "stl": meshes.stl_binary, "off": meshes.off, "f64": meshes.pack_doubles}
         finite = self.triangles[np.isfinite(self.triangles).all((1, 2))]
-        for t, options, endings in ((self.triangles, ("-r", "400"), ("f32", "stl", "f32", "stl")), (finite, ("-r", "400"), ("stl", "off", "f32")),
-                                    (self.triangles, GRID, ("stl", "f64", "f32")), (finite + [5000, 70, -12], ("-r", "300", "--shift", "auto"), ("f64",) * 3),
+        for t, options, endings in ((self.triangles, ("-r", "400"), ("f32", "stl", "f32", "stl")),
+                                    (finite, ("-r", "400"), ("stl", "off", "f32")),
+                                    (self.triangles, GRID, ("stl", "f64", "f32")),
+                                    (finite + [5000, 70, -12], ("-r", "300", "--shift", "auto"), ("f64",) * 3),
                                     (finite + [5000, 70, -12], ("-r", "300", "--shift", "0.1,0.2,0.3"), ("f64", "f32"))):
             (whole, found, folder), paths = self.partition(self.write("all.f64", meshes.pack_doubles(t)), *options), []
             for n, (ending, some) in enumerate(zip(endings, np.array_split(t, len(endings)))):
@@ -292,23 +312,28 @@ class Partitions(Voxels):
         pick = np.random.default_rng(SEED)
         names = {"f": "float", "d": "double", "B": "uchar", "H": "ushort", "i": "int", "I": "uint"}
         some = [pick.integers(0, 250, n).tolist() for n in pick.choice([0, 1, 2, 3, 3, 3, 3, 3, 4, 5, 9], 4500)]
-        layouts = [(*how, some if how[1:] == ("f", "i", "B") else some[:400]) for how in itertools.product("<>", "fd", "BHiI", "Bi")]
+        layouts = [(*how, some if how[1:] == ("f", "i", "B") else some[:400])
+                   for how in itertools.product("<>", "fd", "BHiI", "Bi")]
         layouts.append(("<", "f", "i", "i", [pick.integers(0, 250, n).tolist() for n in (3, 300, 3, 1000, 4, 90)]))
         for order, number, index, count, faces in layouts:
             vertices = np.round(64 * pick.uniform(-2, 2, (250, 3))) / 64 + (1 / 3 if number == "d" else 0)
-            elements = [("vertex", [*((axis, names[number]) for axis in "zxy"), ("red", "uchar")], [[*v, 77] for v in vertices.tolist()]),
-                        ("face", [("flags", "ushort"), ("vertex_indices", names[count], names[index]), ("area", "float")], [[5, f, 0.5] for f in faces])]
+            elements = [("vertex", [*((axis, names[number]) for axis in "zxy"), ("red", "uchar")],
+                         [[*v, 77] for v in vertices.tolist()]),
+                        ("face", [("flags", "ushort"), ("vertex_indices", names[count], names[index]), ("area", "float")],
+                         [[5, f, 0.5] for f in faces])]
             form = "binary_%s_endian" % {"<": "little", ">": "big"}[order]
             mapped = self.write("mapped.ply", meshes.ply(elements, form))
             whole = self.write("whole.ply", meshes.ply([*elements, ("nothing", [("nothing", "int")], [])], form))
             for options in (GRID, ("-r", "300"), ("-r", "300", "--shift", "0.5,0.25,1"))[:3 if len(faces) == 4500 else 1]:
                 expected = self.partition(whole, *options)[0]
                 for memory, threads in (("1", "3"), ("30K", "2"), ("1G", "1")):
-                    self.assertEqual(self.partition(mapped, *options, "-m", memory, "-t", threads)[0], expected, (order, number, index, count))
+                    self.assertEqual(self.partition(mapped, *options, "-m", memory, "-t", threads)[0], expected,
+                                     (order, number, index, count))
         good, one = read(mapped), [("vertex", meshes.XYZ, [[0, 0, 0]] * 250)]
         for content, why in ((good[:-1], "truncated: the header promises 6"), (good[:300], "truncated"), (good[:80], "truncated"),
                              *((meshes.ply([*one, ("face", meshes.CORNERS, faces)]), why) for faces, why in (
-                                 ([[[0, 1, 2]]] * 9 + [[[0, 250, 1]]], "face 9 refers to vertex 250"), ([[[0, 1, 2]], [[0, -1, 1]]], "face 1 refers to vertex -1"),
+                                 ([[[0, 1, 2]]] * 9 + [[[0, 250, 1]]], "face 9 refers to vertex 250"),
+                                 ([[[0, 1, 2]], [[0, -1, 1]]], "face 1 refers to vertex -1"),
                                  ([[[0, 1]]], "contains no triangles")))):
             self.refuse_partition(1, "bad.ply: .*" + why, "partition", self.write("bad.ply", content), *GRID, "-o", self.path("x"))
 
@@ -316,27 +341,34 @@ class Partitions(Voxels):
         piece, other = self.mesh_of(self.triangles[:300], "a"), self.mesh_of(self.triangles[300:], "b")
         here, named = self.partition(piece, *GRID)[2], self.partition(piece, *GRID, "--ids", names=("index", "numbers", "triangles"))[2]
         x, never = self.path("x"), self.mesh_of(np.full((3, 3, 3), NAN), "never")
-        for differing, options in (("grid", grid_of("0.0101,0.0145,0.03", "-2,-2,-2", "390,270,140")), ("shift", (*GRID, "--shift", "1,2,3"))):
+        for differing, options in (("grid", grid_of("0.0101,0.0145,0.03", "-2,-2,-2", "390,270,140")),
+                                   ("shift", (*GRID, "--shift", "1,2,3"))):
             there = self.partition(other, *options)[2]
             for command in (("partition", "-o", x), ("voxelize", "--shard", "1/2", "-o", x + ".npz")):
                 self.refuse_partition(1, "do not fit together: they differ in the " + differing, *command, here, there)
         for code, why, *words in (
-                (2, "is a partition and .* is a mesh: give meshes alone or partitions alone", "partition", here, self.mesh, "-o", x, *GRID),
+                (2, "is a partition and .* is a mesh: give meshes alone or partitions alone", "partition", here, self.mesh, "-o", x,
+                 *GRID),
                 (2, "is no partition", "voxelize", here, self.mesh, "-o", x + ".npz"),
                 (2, "one mesh at a time", "voxelize", self.mesh, here, "-o", x + ".npz", *GRID),
                 (1, "none of its triangles has finite coordinates", "partition", never, *GRID, "-o", x),
                 (1, "none of their triangles has finite coordinates", "partition", never, never, "-r", "9", "-o", x),
                 (1, "none.f32: cannot open the mesh file", "partition", self.mesh, self.path("none.f32"), *GRID, "-o", x),
-                (1, "has no numbers of its triangles; make it with 'tribox partition --ids'", "voxelize", here, "--ids", "-o", x + ".npz"),
-                (1, "has the numbers of its triangles and .* has none; make both with --ids, or neither", "voxelize", here, named, "--ids", "-o", x + ".npz"),
-                (1, "has the numbers of its triangles and .* has none; make both with --ids, or neither", "partition", here, named, "-o", x),
+                (1, "has no numbers of its triangles; make it with 'tribox partition --ids'", "voxelize", here, "--ids", "-o",
+                 x + ".npz"),
+                (1, "has the numbers of its triangles and .* has none; make both with --ids, or neither", "voxelize", here, named,
+                 "--ids", "-o", x + ".npz"),
+                (1, "has the numbers of its triangles and .* has none; make both with --ids, or neither", "partition", here, named,
+                 "-o", x),
                 (2, "which has ids or has none: leave out --ids", "partition", named, "--ids", "-o", x),
-                (1, os.path.basename(here) + ": is there already; remove it, or give another name", "partition", piece, "-r", "9", "-o", here),
+                (1, os.path.basename(here) + ": is there already; remove it, or give another name", "partition", piece, "-r", "9",
+                 "-o", here),
                 (1, "none/x: cannot write there: No such file", "partition", piece, "-r", "9", "-o", self.path("none/x")),
                 (1, "is no partition|no partition: ", "voxelize", self.folder, "--count")):
             self.refuse_partition(code, why, *words)
         for memory, limit in itertools.product(("1G", "3000"), (500, 5000, 30000)):
-            self.refuse_partition(1, "x: cannot write all of it: File too large; nothing of it was kept", "partition", self.mesh, *GRID, "-m", memory, "-o", x,
+            self.refuse_partition(1, "x: cannot write all of it: File too large; nothing of it was kept", "partition", self.mesh,
+                                  *GRID, "-m", memory, "-o", x,
                                   limit=(resource.RLIMIT_FSIZE, limit))
         self.refuse_partition(1, "x: cannot write all of it: File too large", "partition", self.mesh_of([((0, 0, 0), (1, 0, 0), (0, 1, 1))], "one"), "-r", "9",
                               "-o", x, limit=(resource.RLIMIT_FSIZE, 100))  # for its index alone
@@ -358,10 +390,12 @@ class Partitions(Voxels):
                 flipped[at] ^= 1 << at % 8
                 self.write(path, bytes(flipped))
                 each("the checksum of its triangles does not match" if not_index else
-                     "damaged: .*; make the partition again|not a partition folder|another byte order", ("voxelize", apart[1], *["--ids"] * not_index,
+                     "damaged: .*; make the partition again|not a partition folder|another byte order",
+                     ("voxelize", apart[1], *["--ids"] * not_index,
                                                                                                 *(("-o", x) if not_index else ("--count",))))
             if not_index:
-                each("the checksum of its triangles does not match", ("partition", *apart, "-m", "1000", "-o", x), ("voxelize", *apart, "--ids", "-o", x))
+                each("the checksum of its triangles does not match", ("partition", *apart, "-m", "1000", "-o", x),
+                     ("voxelize", *apart, "--ids", "-o", x))
                 self.write(path, whole[:-4])
                 each("its %s are not as many as its index says" % name)
             else:
