@@ -3,12 +3,12 @@
 #include "dense_out.h"
 
 #include <errno.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console/crew.h"
 #include "console/message.h"
-#include "console/steps.h"
 #include "files/named_file.h"
 #include "read/little.h"
 
@@ -19,23 +19,40 @@
  */
 enum { BLOCK = 1 << 12, BLOCKS = 1 << 9, ROOM = BLOCKS * BLOCK };
 
+typedef struct dense_out {
+    const file_out *file;
+    const volume_frame *frame;
+    const voxels *v;
+    const tribox_grid *grid;
+    uint32_t step;       /* layers that are put at once */
+    bool has_words;      /* of the frame, and there are no labels */
+    uint64_t start, end; /* of the cells in the file */
+    bool has_places;     /* else it takes bytes as they come */
+    progress *bar;
+    pthread_mutex_t lock; /* of the file and of what follows */
+    uint64_t written;     /* where what takes bytes as they come is */
+    int reason;           /* of what failed first */
+} dense_out;
+
 /* Bytes that follow each other in the file. */
 typedef struct run {
     uint64_t at;
     size_t count;
 } run;
 
-struct dense_room {
+/* What a thread gathers bytes in. */
+typedef struct dense_room {
     uint64_t from, to;         /* what is being put of the file */
     uint64_t end;              /* of the last block, whose cells come now */
     size_t filled, runs, most; /* most: bytes that there is room for */
     run run[BLOCKS];
     unsigned char bytes[];
-};
+} dense_room;
 
 /* Where memory is short less does, and slower. */
-dense_room *dense_room_new(void)
+static void *make_room(void *data)
 {
+    (void)data;
     dense_room *room = NULL;
     for (size_t most = ROOM; !room && most >= BLOCK; most /= 2) {
         room = malloc(sizeof *room + most);
@@ -45,22 +62,20 @@ dense_room *dense_room_new(void)
     return room;
 }
 
-void dense_room_free(dense_room *room) { free(room); }
-
 static void fail(dense_out *d, int reason)
 {
     if (!d->reason)
         d->reason = reason ? reason : EIO;
 }
 
-void dense_start(dense_out *d, const volume_frame *frame, const file_out *file, const voxels *v)
+static void start(dense_out *d, const volume_frame *frame, const file_out *file, const voxels *v)
 {
     const tribox_grid *const grid = &v->grid;
     FILE *const to = file->stream;
     const uint64_t cells = (uint64_t)grid->size[0] * grid->size[1] * grid->size[2];
     const bool has_words = frame->has_words && !voxels_have_labels(v);
     const uint64_t bytes = has_words ? 8 * (uint64_t)voxels_layer_words(grid) * grid->size[2] : cells;
-    *d = (dense_out){.frame = frame, .file = file, .grid = grid, .has_words = has_words, .has_places = to != stdout};
+    *d = (dense_out){.frame = frame, .file = file, .v = v, .grid = grid, .has_words = has_words, .has_places = to != stdout};
     pthread_mutex_init(&d->lock, NULL);
     errno = 0;
     if (frame->before)
@@ -184,19 +199,10 @@ static void put_row(dense_out *d, dense_room *r, uint64_t at, const uint64_t *ro
     }
 }
 
-static void lacks_memory(dense_out *d)
-{
-    pthread_mutex_lock(&d->lock);
-    fail(d, ENOMEM);
-    pthread_mutex_unlock(&d->lock);
-}
-
-bool dense_put(dense_out *d, dense_room *r, uint32_t first, uint32_t layers, const uint64_t *words, const uint64_t *inside)
+static bool put(dense_out *d, dense_room *r, uint32_t first, uint32_t layers, const uint64_t *words, const uint64_t *inside)
 {
     const size_t row_words = voxels_row_words(d->grid), row_bytes = d->has_words ? 8 * row_words : d->grid->size[0];
     const uint64_t layer_bytes = (uint64_t)row_bytes * d->grid->size[1];
-    if (!r)
-        return lacks_memory(d), false;
     r->from = r->end = d->start + first * layer_bytes;
     r->to = r->from + layers * layer_bytes;
     r->filled = r->runs = 0;
@@ -211,12 +217,10 @@ bool dense_put(dense_out *d, dense_room *r, uint32_t first, uint32_t layers, con
     return write_room(d, r);
 }
 
-void dense_drop(dense_out *d) { pthread_mutex_destroy(&d->lock); }
-
-int dense_end(dense_out *d)
+static int end(dense_out *d)
 {
     FILE *const to = d->file->stream;
-    dense_drop(d);
+    pthread_mutex_destroy(&d->lock);
     errno = 0;
     if (!d->reason && d->has_places && fseeko(to, (off_t)d->end, SEEK_SET))
         fail(d, errno);
@@ -228,51 +232,46 @@ int dense_end(dense_out *d)
     return d->reason ? file_out_failure(d->file) : EXIT_CODE_OK;
 }
 
+static int put_step(void *data, void *room, size_t n)
+{
+    dense_out *const d = data;
+    const uint32_t size = d->grid->size[2], first = (uint32_t)n * d->step, last = size - first < d->step ? size : first + d->step;
+    bool is_put = true;
+    for (uint32_t k = first, layers; is_put && k < last; k += layers) {
+        layers = voxels_layers_from(d->v, k);
+        layers = layers < last - k ? layers : last - k;
+        is_put = put(d, room, k, layers, voxels_layer(d->v, k), voxels_layer_inside(d->v, k));
+    }
+    return is_put ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+}
+
+static int tell_step(void *data, void *room, size_t n)
+{
+    const dense_out *const d = data;
+    const uint64_t done = (uint64_t)d->step * (n + 1), size = d->grid->size[2];
+    (void)room;
+    progress_tell(d->bar, done < size ? (double)done / (double)size : 1);
+    return EXIT_CODE_OK;
+}
+
 /* Layers of so many bytes are taken at once: fewer are not worth a thread. */
 enum { STEP = 1 << 24 };
 
-typedef struct writing {
-    dense_out *out;
-    const voxels *v;
-    uint32_t step; /* layers */
-    steps left;
-    dense_room *first; /* of the calling thread, which is there before any other begins */
-    progress *bar;
-} writing;
-
-static void put_step(writing *w, dense_room *room, uint32_t first)
-{
-    const uint32_t size = w->v->grid.size[2], end = size - first < w->step ? size : first + w->step;
-    for (uint32_t k = first, layers; k < end; k += layers) {
-        layers = voxels_layers_from(w->v, k);
-        layers = layers < end - k ? layers : end - k;
-        dense_put(w->out, room, k, layers, voxels_layer(w->v, k), voxels_layer_inside(w->v, k));
-    }
-}
-
-/* Who has no memory leaves the steps to others; that the first has none dense_put says. */
-static void work(void *data, unsigned thread)
-{
-    writing *const w = data;
-    dense_room *const room = thread ? dense_room_new() : w->first;
-    for (size_t n; (room || !thread) && steps_take(&w->left, &n);) {
-        put_step(w, room, (uint32_t)n * w->step);
-        if (!thread)
-            progress_tell(w->bar, (double)(n + 1) / (double)w->left.count);
-    }
-    dense_room_free(room);
-}
-
 int dense_write(const volume_frame *frame, const file_out *file, const voxels *v, unsigned threads, progress *bar)
 {
-    dense_out out;
+    dense_out d;
     const uint32_t *const size = v->grid.size;
     const uint64_t layer = (uint64_t)size[0] * size[1], step = STEP / layer;
-    writing w = {.out = &out, .v = v, .bar = bar, .step = step ? (uint32_t)step : 1};
-    w.first = dense_room_new();
-    dense_start(&out, frame, file, v);
-    steps_start(&w.left, (size[2] + w.step - 1) / w.step);
-    crew_run(!out.has_places ? 1 : threads < w.left.count ? threads : (unsigned)w.left.count, work, &w);
-    steps_free(&w.left);
-    return dense_end(&out);
+    start(&d, frame, file, v);
+    d.step = step ? (uint32_t)step : 1;
+    d.bar = bar;
+    const crew_work work = {.count = (size[2] + d.step - 1) / d.step,
+                            .threads = d.has_places ? threads : 1,
+                            .begin = make_room,
+                            .end = free,
+                            .step = put_step,
+                            .tell = tell_step};
+    if (crew_do(&work, &d) == MESSAGE_NO_MEMORY)
+        fail(&d, ENOMEM);
+    return end(&d);
 }
