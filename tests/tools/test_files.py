@@ -365,8 +365,9 @@ class Memory(Files):
             os.remove(self.path(out))
             return written
         grid = (mesh, "-r", "300")
-        for out, *words in (("x.npz", *grid), ("x.npz", self.path("tiles")), ("x.npz", *grid, "--shard", "1/2"), ("x.raw", *grid),
-                            ("x.raw", *grid, "--fill", "outside")):
+        raw = self.write("mesh.f32", meshes.pack_floats(LATTICE))
+        for out, *words in (("x.npz", *grid), ("x.npz", raw, "-r", "300"), ("x.npz", self.path("tiles")),
+                            ("x.npz", *grid, "--shard", "1/2"), ("x.raw", *grid), ("x.raw", *grid, "--fill", "outside")):
             whole = within(1 << 40, out, *words)
             for limit in range(least, least + 72 * MIB, 6 * MIB):
                 alone = within(limit, out, *words, "-t", "1")

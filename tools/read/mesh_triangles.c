@@ -2,7 +2,6 @@
 #include "mesh.h"
 
 #include <inttypes.h>
-#include <pthread.h>
 #include <stdlib.h>
 
 #include "console/crew.h"
@@ -14,26 +13,35 @@
 /* A regular file that goes into room for all of it. */
 typedef struct reading {
     mesh *m;
-    pthread_mutex_t lock; /* of what follows */
     triangle_file *file;
-    int code;
+    int code; /* of finding blocks */
     mesh_look look;
 } reading;
 
-static bool find_block(reading *r, triangle_block *block)
+static void *make_block(void *data)
 {
-    pthread_mutex_lock(&r->lock);
-    if (!r->code)
-        r->code = triangle_file_find(r->file, block);
-    const bool is_there = !r->code && block->count;
-    pthread_mutex_unlock(&r->lock);
-    return is_there;
+    (void)data;
+    triangle_block *const block = malloc(sizeof *block + TRIANGLE_BLOCK_BYTES);
+    if (block)
+        *block = (triangle_block){.bytes = (unsigned char *)(block + 1)};
+    return block;
 }
 
-static int read_found(reading *r, triangle_block *block)
+static bool find_block(void *data, void *block, size_t n)
 {
+    reading *const r = data;
+    (void)n;
+    r->code = triangle_file_find(r->file, block);
+    return !r->code && ((triangle_block *)block)->count;
+}
+
+static int read_block(void *data, void *place, size_t n)
+{
+    reading *const r = data;
+    triangle_block *const block = place;
     const size_t first = (size_t)block->first;
     float *to[9];
+    (void)n;
     if (r->m->is_double)
         return triangle_file_unpack(r->file, block, NULL, (double *)r->m->positions + 9 * first);
     mesh_streams(r->m, first, to);
@@ -43,20 +51,12 @@ static int read_found(reading *r, triangle_block *block)
     return code;
 }
 
-static void read_blocks(void *data, unsigned thread)
+static int tell_block(void *data, void *block, size_t n)
 {
-    reading *const r = data;
-    (void)thread;
-    triangle_block block = {.bytes = malloc(TRIANGLE_BLOCK_BYTES)};
-    int code = block.bytes ? EXIT_CODE_OK : message_failure("%s: out of memory", r->file->name);
-    while (!code && find_block(r, &block)) {
-        code = read_found(r, &block);
-        reading_tell((double)block.first / (double)r->file->promised);
-    }
-    free(block.bytes);
-    pthread_mutex_lock(&r->lock);
-    r->code = code ? code : r->code;
-    pthread_mutex_unlock(&r->lock);
+    const reading *const r = data;
+    (void)n;
+    reading_tell((double)((triangle_block *)block)->first / (double)r->file->promised);
+    return EXIT_CODE_OK;
 }
 
 /* A partition is made of such files piece by piece, so it needs no room for all triangles. */
@@ -84,23 +84,31 @@ static int make_doubles(const triangle_file *file, mesh *m)
 
 static int read_sized(triangle_file *file, unsigned threads, mesh *m)
 {
-    const int code = file->format == TRIANGLES_F64 ? make_doubles(file, m) : make_floats(file, m);
-    reading r = {.m = m, .file = file, .code = code, .look = mesh_look_none()};
+    const uint64_t blocks = file->promised / TRIANGLE_BLOCK + 1;
+    reading r = {.m = m, .file = file, .look = mesh_look_none()};
+    const crew_work work = {.threads = threads < blocks ? threads : (unsigned)blocks,
+                            .begin = make_block,
+                            .end = free,
+                            .find = find_block,
+                            .step = read_block,
+                            .tell = tell_block};
+    int code = file->format == TRIANGLES_F64 ? make_doubles(file, m) : make_floats(file, m);
     if (code)
         return code;
-    pthread_mutex_init(&r.lock, NULL);
     reading_begin();
-    crew_run(threads, read_blocks, &r);
+    code = crew_do(&work, &r);
     reading_end();
-    pthread_mutex_destroy(&r.lock);
+    if (code == MESSAGE_NO_MEMORY)
+        code = message_failure("%s: out of memory", file->name);
     m->triangles = (size_t)file->promised;
     if (!m->is_double)
         m->soup.count = m->triangles;
-    if (!r.code && m->is_double)
+    code = code ? code : r.code;
+    if (!code && m->is_double)
         mesh_look_all(threads, m);
-    else if (!r.code)
+    else if (!code)
         mesh_look_keep(&r.look, m);
-    return r.code;
+    return code;
 }
 
 /* Room for a block more at least. What the header of a stream promises is not believed. */
