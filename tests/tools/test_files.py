@@ -215,7 +215,7 @@ class Signals(Files):
     def end(self, number, times, said, *arguments, is_at_work=None):
         """Sends it once the program has begun to write; what is left is what was there, but for a file without a name after SIGKILL."""
         there = self.there()
-        process = harness.start(*arguments)
+        process = harness.start(*arguments, preexec_fn=lambda: number != signal.SIGKILL and signal.signal(number, signal.SIG_DFL))
         self.wait_for(is_at_work or (lambda: self.there() != there), process)
         for _ in range(times):
             process.send_signal(number)
