@@ -71,7 +71,7 @@ class Peers(unittest.TestCase):
         self.assertIn("tests/peers/peers: not here: meson setup", text)
         self.assertEqual(set(rows), {("Open3D", "surface"), ("Open3D", "crop inside")})
         self.assertEqual((rows["Open3D", "surface"]["theirs"], rows["Open3D", "surface"]["is_over"]), ([1, 1], True))
-        self.assertRegex(text, r"surface +16 .* > 1,000 +> [\d,]+ ")
+        self.assertRegex(text, r"surface +16 .* > 1,000 +> [\d.,]+ ")
         self.assertEqual(rows["Open3D", "crop inside"]["failed"], "ended by signal 6")
 
     def test_differences(self):
