@@ -5,8 +5,7 @@ import { createRequire } from 'node:module';
 import { dirname, join, relative, resolve } from 'node:path';
 
 const [tribox, read, out] = process.argv.slice(2);
-const here = import.meta.dirname,
-    modules = resolve('node_modules');
+const here = import.meta.dirname, modules = resolve('node_modules');
 const { build } = createRequire(join(modules, 'x'))('esbuild');
 
 /** Names that begin with built: stand for what is made here. */
@@ -46,8 +45,7 @@ const style = (await bundle('style.css')).trim();
 const page = (await readFile(join(here, 'index.html'), 'utf8'))
     .replace('built:source', () => process.env.TRIBOX_SOURCE ?? `${checkout}/`)
     .replace('built:documents', () => process.env.TRIBOX_DOCUMENTS ?? `${checkout}/README.md`)
-    .replace('/* built:style */', () => style)
-    .replace('/* built:script */', () => script.replaceAll('</script', '<\\/script'));
+    .replace('/* built:style */', () => style).replace('/* built:script */', () => script.replaceAll('</script', '<\\/script'));
 
 // Whole or not at all.
 await mkdir(dirname(resolve(out)), { recursive: true });

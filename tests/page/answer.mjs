@@ -48,8 +48,7 @@ export function ask(words, mesh) {
 
 /** Asks the program the page's own question, about the same triangles in a file. */
 export function assertSame(answer, mesh, more = []) {
-    const words = [...answer.command.split(' ').slice(1), ...more],
-        said = ask(words, mesh),
+    const words = [...answer.command.split(' ').slice(1), ...more], said = ask(words, mesh),
         place = `${words.join(' ')} of ${mesh}`;
     assert.equal(answer.straddling + answer.inside, said.overlapping, `overlapping, ${place}`);
     assert.equal(answer.missed, said.triangles - said.overlapping, `missed, ${place}`);

@@ -30,8 +30,7 @@ const hasAnswered = () => document.getElementById('command').textContent || !doc
 /** A page of its own that has answered about the mesh it begins with. prepare: run in it first. */
 export async function openPage({ options = SMALL, query = '?scene=coarse', url = fileUrl, prepare } = {}) {
     browser ??= await chromium.launch({ executablePath, args: ['--no-sandbox'] });
-    const context = await browser.newContext(options),
-        page = await context.newPage();
+    const context = await browser.newContext(options), page = await context.newPage();
     page.setDefaultTimeout(TIMEOUT);
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
     page.on('pageerror', (error) => errors.push(error.stack));
@@ -66,8 +65,7 @@ export async function dropFile(page, name, content) {
     const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : content;
     await page.evaluate(
         ([file, base64]) => {
-            const data = new DataTransfer(),
-                text = atob(base64);
+            const data = new DataTransfer(), text = atob(base64);
             data.items.add(new File([Uint8Array.from(text, (letter) => letter.charCodeAt(0))], file));
             for (const type of ['dragenter', 'dragover', 'drop'])
                 document
@@ -80,8 +78,7 @@ export async function dropFile(page, name, content) {
 
 /** Closes what a test has opened; throws if any page complained. */
 export async function closePages() {
-    const closing = open,
-        said = errors.splice(0);
+    const closing = open, said = errors.splice(0);
     open = [];
     for (const context of closing) await context.close();
     if (said.length) throw new Error(`errors on the console:\n${said.join('\n')}`);

@@ -30,8 +30,7 @@ const corners = (triangles) => Array.from({ length: triangles.length / 3 }, (_, 
 const faces = (triangles) => Array.from({ length: triangles.length / 9 }, (_, i) => [3 * i, 3 * i + 1, 3 * i + 2]);
 
 export function stlBytes(triangles) {
-    const count = triangles.length / 9,
-        bytes = new DataView(new ArrayBuffer(84 + 50 * count));
+    const count = triangles.length / 9, bytes = new DataView(new ArrayBuffer(84 + 50 * count));
     bytes.setUint32(80, count, true);
     for (let i = 0; i < triangles.length; i++) bytes.setFloat32(84 + 50 * Math.floor(i / 9) + 12 + 4 * (i % 9), triangles[i], true);
     return new Uint8Array(bytes.buffer);
@@ -50,10 +49,8 @@ const plyHeader = (kind, triangles) =>
     `property float z\nelement face ${triangles.length / 9}\nproperty list uchar int vertex_indices\nend_header\n`;
 
 export function plyBytes(triangles) {
-    const header = new TextEncoder().encode(plyHeader('binary_little_endian', triangles)),
-        count = triangles.length / 9;
-    const bytes = new Uint8Array(header.length + 4 * triangles.length + 13 * count),
-        view = new DataView(bytes.buffer);
+    const header = new TextEncoder().encode(plyHeader('binary_little_endian', triangles)), count = triangles.length / 9;
+    const bytes = new Uint8Array(header.length + 4 * triangles.length + 13 * count), view = new DataView(bytes.buffer);
     bytes.set(header);
     triangles.forEach((number, i) => view.setFloat32(header.length + 4 * i, number, true));
     for (let i = 0, at = header.length + 4 * triangles.length; i < count; i++, at += 13) {
@@ -80,8 +77,7 @@ export function glbBytes(triangles, change = () => {}) {
     };
     change(json);
     const text = JSON.stringify(json).padEnd(4 * Math.ceil(JSON.stringify(json).length / 4));
-    const bytes = new Uint8Array(28 + text.length + triangles.byteLength),
-        view = new DataView(bytes.buffer);
+    const bytes = new Uint8Array(28 + text.length + triangles.byteLength), view = new DataView(bytes.buffer);
     [0x46546c67, 2, bytes.length, text.length, 0x4e4f534a].forEach((word, w) => view.setUint32(4 * w, word, true));
     bytes.set(new TextEncoder().encode(text), 20);
     view.setUint32(20 + text.length, triangles.byteLength, true);
@@ -92,8 +88,7 @@ export function glbBytes(triangles, change = () => {}) {
 
 /** The same triangles in every kind of file: name and path. */
 export function everyKind(triangles) {
-    const points = corners(triangles).map((point) => point.join(' ')),
-        lists = faces(triangles);
+    const points = corners(triangles).map((point) => point.join(' ')), lists = faces(triangles);
     const ofThree = lists.map((face) => `3 ${face.join(' ')}`).join('\n');
     return [
         ['binary.stl', stlBytes(triangles)],

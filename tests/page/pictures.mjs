@@ -5,8 +5,7 @@ import { settled } from './answer.mjs';
 import { close, closePages, DESK, openPage, PHONE } from './browser.mjs';
 
 const [folder = '.'] = process.argv.slice(2);
-const LIGHT = { ...DESK, colorScheme: 'light' },
-    LIGHT_PHONE = { ...PHONE, colorScheme: 'light' };
+const LIGHT = { ...DESK, colorScheme: 'light' }, LIGHT_PHONE = { ...PHONE, colorScheme: 'light' };
 const SETTLED = 700;
 
 /** Name, window, scene or step of the story, what is done. */

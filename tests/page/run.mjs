@@ -2,17 +2,12 @@
 import { readdir } from 'node:fs/promises';
 import { close, closePages, forgetPages } from './browser.mjs';
 
-const asked = process.argv.slice(2),
-    here = import.meta.dirname;
-const all = (await readdir(here))
-    .map((name) => name.match(/^test_(\w+)\.mjs$/)?.[1])
-    .filter(Boolean)
-    .sort();
+const asked = process.argv.slice(2), here = import.meta.dirname;
+const all = (await readdir(here)).map((name) => name.match(/^test_(\w+)\.mjs$/)?.[1]).filter(Boolean).sort();
 const unknown = asked.find((part) => !all.includes(part));
 if (unknown) throw new Error(`no test is called ${unknown}; there are: ${all.join(' ')}`);
 
-let passed = 0,
-    failed = 0;
+let passed = 0, failed = 0;
 for (const part of asked.length ? asked : all)
     for (const [name, test] of Object.entries(await import(`./test_${part}.mjs`))) {
         const start = performance.now();

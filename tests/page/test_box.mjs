@@ -5,16 +5,9 @@ import { openPage, PHONE, usualPage } from './browser.mjs';
 import { coarse, coarseFile } from './meshes.mjs';
 
 // Of the first view: on a face of the box, away from its handles, and on the ground.
-const ON_BOX = [355, 305],
-    ON_GROUND = [40, 200],
-    ON_RING = [302, 236],
-    ON_BOX_OF_PHONE = [185, 258];
+const ON_BOX = [355, 305], ON_GROUND = [40, 200], ON_RING = [302, 236], ON_BOX_OF_PHONE = [185, 258];
 
-const boxOf = ({ command }) =>
-    command
-        .match(/=([-\d.e,]+)/)[1]
-        .split(',')
-        .map(Number);
+const boxOf = ({ command }) => command.match(/=([-\d.e,]+)/)[1].split(',').map(Number);
 
 async function drag(page, from, to) {
     await page.mouse.move(...from);
@@ -34,23 +27,16 @@ export async function isDragged() {
     const page = await usualPage();
     let from = ON_BOX;
     for (const to of [[300, 250], [370, 280]]) {
-        const before = boxOf(await answerOf(page)),
-            answer = await answerAfter(page, () => drag(page, from, to));
-        const after = boxOf(answer),
-            sides = [0, 1, 2].map((a) => after[a + 3] - after[a] - (before[a + 3] - before[a]));
-        assert.ok(
-            sides.every((change) => Math.abs(change) < 1e-5),
-            `sides change by ${sides}`,
-        );
+        const before = boxOf(await answerOf(page)), answer = await answerAfter(page, () => drag(page, from, to));
+        const after = boxOf(answer), sides = [0, 1, 2].map((a) => after[a + 3] - after[a] - (before[a + 3] - before[a]));
+        assert.ok(sides.every((change) => Math.abs(change) < 1e-5), `sides change by ${sides}`);
         assertSame(answer, coarseFile);
         from = to;
     }
 }
 
 export async function groundTurnsTheView() {
-    const page = await usualPage(),
-        before = await page.locator('canvas').screenshot(),
-        { command } = await answerOf(page);
+    const page = await usualPage(), before = await page.locator('canvas').screenshot(), { command } = await answerOf(page);
     await drag(page, ON_GROUND, [140, 180]);
     await settled(page);
     assert.equal((await answerOf(page)).command, command);
@@ -58,8 +44,7 @@ export async function groundTurnsTheView() {
 }
 
 export async function isDraggedByFinger() {
-    const page = await openPage({ options: PHONE }),
-        devices = await page.context().newCDPSession(page);
+    const page = await openPage({ options: PHONE }), devices = await page.context().newCDPSession(page);
     const touch = (type, x, y) =>
         devices.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] });
     const answer = await answerAfter(page, async () => {
@@ -151,8 +136,7 @@ export async function everyTest() {
 }
 
 export async function indexAnswersAlike() {
-    const page = await usualPage(),
-        { straddling, inside } = await answerOf(page);
+    const page = await usualPage(), { straddling, inside } = await answerOf(page);
     await page.check('#by-index');
     await page.waitForFunction(() => document.getElementById('rate').textContent.startsWith('by the index'));
     const answer = await answerOf(page);

@@ -29,8 +29,7 @@ export async function withoutNetwork() {
 export function withoutPackages() {
     const PATH = mkdtempSync(join(folder, 'path-'));
     const lineOf = () => {
-        const page = join(PATH, 'page.html'),
-            script = join(root, 'examples/web/build.sh'),
+        const page = join(PATH, 'page.html'), script = join(root, 'examples/web/build.sh'),
             { status, stderr } = spawnSync('/bin/sh', [script, page], { encoding: 'utf8', env: { PATH } });
         assert.equal(status, 1);
         return stderr;

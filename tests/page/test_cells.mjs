@@ -12,9 +12,7 @@ async function cellsAt(page, resolution) {
         return document.getElementById('resolution-value').value === n && note.includes(' of ') && note.includes(`${n} ×`);
     }, String(resolution));
     return (await page.textContent('#cells-note'))
-        .match(/^([\d,]+) of (\d+) × (\d+) × (\d+) cells/)
-        .slice(1)
-        .map((n) => Number(n.replaceAll(',', '')));
+        .match(/^([\d,]+) of (\d+) × (\d+) × (\d+) cells/).slice(1).map((n) => Number(n.replaceAll(',', '')));
 }
 
 export async function countsAreThePrograms() {
@@ -30,10 +28,7 @@ export async function countsAreThePrograms() {
 
 /** Random cells of 70 x 5 x 3, in rows of four words: each face once, and those alone that have no cell beside them. */
 export function facesAreListed() {
-    const size = [70, 5, 3],
-        bits = new Uint32Array(4 * 15),
-        cells = [],
-        faces = [];
+    const size = [70, 5, 3], bits = new Uint32Array(4 * 15), cells = [], faces = [];
     const has = ([i, j, k]) =>
         [i, j, k].every((c, a) => c >= 0 && c < size[a]) && ((bits[(k * 5 + j) * 4 + (i >> 5)] >>> (i & 31)) & 1) === 1;
     for (let n = 0, random = 1; n < 1050; n++) {
@@ -66,11 +61,7 @@ export async function unlikeExact() {
             accuracy,
         );
         await settled(page);
-        const answer = await answerOf(page),
-            words = answer.command
-                .split(' ')
-                .slice(1)
-                .filter((word) => word !== '--inside');
+        const answer = await answerOf(page), words = answer.command.split(' ').slice(1).filter((word) => word !== '--inside');
         const list = (more) => ask([...words, '--list', ...more], tiesFile).indices;
         const theirs = new Set(list(['--kernel', 'scalar'])),
             exact = new Set(ask([...words.slice(0, 3), '--list'], tiesFile).indices);

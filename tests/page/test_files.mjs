@@ -29,8 +29,7 @@ function nodes(offsets) {
 
 /** Two primitives share positions; the second takes every triangle backwards. */
 function primitives() {
-    const vertices = small.length / 3,
-        indices = Uint32Array.from({ length: vertices }, (_, i) => vertices - 1 - i);
+    const vertices = small.length / 3, indices = Uint32Array.from({ length: vertices }, (_, i) => vertices - 1 - i);
     const bytes = new Uint8Array(small.byteLength + indices.byteLength);
     bytes.set(new Uint8Array(small.buffer));
     bytes.set(new Uint8Array(indices.buffer), small.byteLength);
@@ -62,19 +61,10 @@ function wholeNumbers() {
 
 /** A pentagon and a triangle, big-endian and with a colour: four triangles. */
 function pentagon() {
-    const header =
-        'ply\nformat binary_big_endian 1.0\nelement vertex 5\nproperty uchar red\nproperty float x\nproperty float y\n' +
+    const header = 'ply\nformat binary_big_endian 1.0\nelement vertex 5\nproperty uchar red\nproperty float x\nproperty float y\n' +
         'property float z\nelement face 2\nproperty list uchar ushort vertex_index\nend_header\n';
-    const points = [
-            [0, 0, 0],
-            [2, 0, 0],
-            [3, 1, 0],
-            [1, 2, 0],
-            [-1, 1, 0],
-        ],
-        faces = [[0, 1, 2, 3, 4], [0, 1, 3]];
-    const bytes = new Uint8Array(header.length + 5 * 13 + 11 + 7),
-        view = new DataView(bytes.buffer);
+    const points = [[0, 0, 0], [2, 0, 0], [3, 1, 0], [1, 2, 0], [-1, 1, 0]], faces = [[0, 1, 2, 3, 4], [0, 1, 3]];
+    const bytes = new Uint8Array(header.length + 5 * 13 + 11 + 7), view = new DataView(bytes.buffer);
     bytes.set(new TextEncoder().encode(header));
     let at = header.length;
     for (const point of points) {
@@ -123,8 +113,7 @@ export async function rightFiles() {
 }
 
 export async function isOpenedByButton() {
-    const page = await usualPage(),
-        [{ name, path }] = everyKind(small);
+    const page = await usualPage(), [{ name, path }] = everyKind(small);
     const answer = await answerAfter(page, () => page.setInputFiles('#file', path));
     assert.ok(answer.command.startsWith(`tribox overlap ${name} `));
     assertSame(answer, path);
@@ -141,9 +130,7 @@ function refusal(path) {
 
 /** Said as the program says it, but for what it reads by libassimp. */
 export async function damagedFiles() {
-    const text = (...lines) => `${lines.join('\n')}\n`,
-        stl = stlBytes(small),
-        glb = glbBytes(small);
+    const text = (...lines) => `${lines.join('\n')}\n`, stl = stlBytes(small), glb = glbBytes(small);
     const head = ['ply', 'format ascii 1.0', 'element vertex 3', 'property float x', 'property float y', 'property float z'];
     const ply = text(...head, 'element face 1', 'property list uchar int vertex_indices', 'end_header', '0 0 0', '1 0 0', '0 1 0');
     const points = ['0 0 0', '1 0 0', '0 1 0', '1 1 0', '0 0 1', '1 0 1', '0 1 1', '1 1 1'];
@@ -173,21 +160,18 @@ export async function damagedFiles() {
         ['zero.stl', stlText(small).replace(/(vertex \S+) \S+/, '$1 zero')],
         ['two.stl', stlText(small).replace(/vertex.*\n/, '')],
         ['junk.stl', stlText(small).replace('endsolid', 'endsolid x\nfacet\nendsolid')],
-        ['blank.off', ' \n\n'],
-        ...cutCubes,
+        ['blank.off', ' \n\n'], ...cutCubes,
         ['cut.off', text('OFF', '3 1 0', '0 0 0', '1 0 0')],
         ['index.off', text('OFF', '3 1 0', '0 0 0', '1 0 0', '0 1 0', '3 0 1 3')],
         ['word.off', text('OFF', '3 1 0', '0 0 zero', '1 0 0', '0 1 0', '3 0 1 2')],
         ['M\u00fcller mit Raum.off', 'OFF 1 1 1'],
     ];
-    const page = await usualPage(),
-        before = await answerOf(page);
+    const page = await usualPage(), before = await answerOf(page);
     for (const [name, content, said] of files) {
         await page.evaluate(() => (document.getElementById('message').textContent = ''));
         await dropFile(page, name, content);
         await page
-            .waitForFunction(() => document.getElementById('message').textContent)
-            .catch(() => assert.fail(`${name}: no message`));
+            .waitForFunction(() => document.getElementById('message').textContent).catch(() => assert.fail(`${name}: no message`));
         const message = await page.textContent('#message');
         if (said) assert.match(message, said);
         else assert.equal(message, refusal(write(name, content)).replace(`${folder}/`, ''));
@@ -203,8 +187,7 @@ export async function damagedFiles() {
 export async function realMeshes() {
     const meshes = process.env.TRIBOX_MESHES;
     for (const name of meshes ? ['teapot.ply', 'suzanne.ply', 'stanford-bunny.ply', '1514499.stl'] : []) {
-        const page = await usualPage(),
-            path = join(meshes, name);
+        const page = await usualPage(), path = join(meshes, name);
         const answer = await answerAfter(page, () => page.setInputFiles('#file', path));
         assertSame(answer, path);
     }
@@ -212,8 +195,7 @@ export async function realMeshes() {
 
 /** By their names, to be shown again. */
 export async function filesStayInTheList() {
-    const page = await usualPage(),
-        half = small.slice(0, 9 * 210);
+    const page = await usualPage(), half = small.slice(0, 9 * 210);
     const first = await answerAfter(page, () => dropFile(page, 'a.stl', stlBytes(small)));
     assert.equal(await page.inputValue('#scene'), 'file:a.stl');
     await answerAfter(page, () => dropFile(page, 'b.stl', stlBytes(half)));
@@ -237,8 +219,7 @@ async function assertTooLarge(name, content) {
 
 export async function plyIsTooLarge() {
     const corners = 9e6,
-        header =
-            'ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\nproperty uchar z\n' +
+        header = 'ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\nproperty uchar z\n' +
             'element face 1\nproperty list uint uchar vertex_indices\nend_header\n\0\0\0';
     const ply = Buffer.alloc(header.length + 4 + corners);
     ply.write(header);

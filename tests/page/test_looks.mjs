@@ -15,8 +15,7 @@ async function pixelsLike(page, name) {
             context.drawImage(image, 0, 0);
             const { data } = context.getImageData(0, 0, image.width, image.height);
             const text = getComputedStyle(document.documentElement).getPropertyValue(`--${variable}`).trim();
-            const wanted = [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16)),
-                length = Math.hypot(...wanted);
+            const wanted = [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16)), length = Math.hypot(...wanted);
             let count = 0;
             for (let i = 0; i < data.length; i += 4) {
                 const size = Math.hypot(data[i], data[i + 1], data[i + 2]);
@@ -77,11 +76,7 @@ export async function darkAndLight() {
         ];
         const read = await page.evaluate(contrasts, texts);
         read.forEach((ratio, i) => assert.ok(ratio >= 4.5, `${texts[i]}: ${ratio.toFixed(2)}`));
-        const shapes = [
-                ['accent', 'panel'],
-                ['box', 'ground'],
-            ],
-            seen = await page.evaluate(contrasts, shapes);
+        const shapes = [['accent', 'panel'], ['box', 'ground']], seen = await page.evaluate(contrasts, shapes);
         seen.forEach((ratio, i) => assert.ok(ratio >= 3, `${shapes[i]}: ${ratio.toFixed(2)}`));
     }
 }
@@ -95,8 +90,7 @@ export async function phone() {
         return {
             width: document.documentElement.scrollWidth,
             wide: all
-                .filter((e) => e.getBoundingClientRect().right > innerWidth + 0.5)
-                .map((e) => e.id || e.className || e.tagName),
+                .filter((e) => e.getBoundingClientRect().right > innerWidth + 0.5).map((e) => e.id || e.className || e.tagName),
             low: all
                 .filter((e) => e.matches('button, select, input[type=text]') && e.getBoundingClientRect().height < 36)
                 .map((e) => e.id || e.value),
@@ -118,8 +112,7 @@ export async function namesAndFocus() {
     for (let i = 0; i < 40; i++) {
         await page.keyboard.press('Tab');
         const at = await page.evaluate(() => {
-            const focused = document.activeElement,
-                style = getComputedStyle(focused);
+            const focused = document.activeElement, style = getComputedStyle(focused);
             return {
                 name: focused.id || focused.value || focused.tagName,
                 outline: style.outlineStyle === 'none' ? 0 : parseFloat(style.outlineWidth),

@@ -20,9 +20,7 @@ function gridTriangles(count) {
 
 /** A gap is shown on some axis of a group where the program, asked with that group alone, says that the triangle misses. */
 export function gapsAreTheLibrarys() {
-    const count = 5000,
-        triangles = gridTriangles(count),
-        file = raw('grid.f32', triangles);
+    const count = 5000, triangles = gridTriangles(count), file = raw('grid.f32', triangles);
     const axes = Array.from({ length: count }, (_, i) => axesOf(triangles.subarray(9 * i, 9 * i + 9)));
     assert.equal(axes[0].length, 13);
     for (const group of ['box', 'plane', 'edges']) {
@@ -50,10 +48,7 @@ export async function opens() {
     assert.equal(await page.textContent('#play'), 'Play', 'the box moves on though it was touched');
     const links = await page.$$eval('.links a', (all) => all.map((a) => [a.textContent, a.getAttribute('href')]));
     assert.deepEqual(links.map(([name]) => name), ['Source', 'Documents']);
-    assert.ok(
-        links.every(([, address]) => address && !address.startsWith('built:')),
-        `${links}`,
-    );
+    assert.ok(links.every(([, address]) => address && !address.startsWith('built:')), `${links}`);
 }
 
 export async function cornersMove() {
@@ -65,8 +60,7 @@ export async function cornersMove() {
         for (let again = 0; again < 4; again++) {
             for (const key of keys.split(' ')) await page.keyboard.press(key);
             await page.waitForTimeout(250);
-            const { missed, straddling } = await answerOf(page),
-                lit = await page.$$eval('#axes .is-apart', (all) => all.length);
+            const { missed, straddling } = await answerOf(page), lit = await page.$$eval('#axes .is-apart', (all) => all.length);
             assert.equal(missed + straddling, 1);
             assert.equal(lit > 0, missed === 1, `${lit} axes are lit`);
             assert.match(
@@ -86,8 +80,7 @@ export async function indexIsLookedAt() {
     await page.waitForFunction(() => document.getElementById('visits').textContent, undefined, { timeout: 40000 });
     const [looked, ofNodes, tested, ofWords] = (await page.textContent('#visits'))
         .match(/^([\d,]+) of ([\d,]+) nodes looked at, ([\d,]+) of ([\d,]+) groups/)
-        .slice(1)
-        .map((n) => Number(n.replaceAll(',', '')));
+        .slice(1).map((n) => Number(n.replaceAll(',', '')));
     const { rate, straddling, inside, missed } = await answerOf(page);
     assert.match(rate, /^by the index/);
     assert.equal(straddling + inside + missed, 1000000);
@@ -153,8 +146,7 @@ export async function phone() {
     const wide = await page.$$eval('.story *, .stage *', (all) =>
         all
             .filter((e) => e.checkVisibility() && !e.closest('svg, .visually-hidden, #axes'))
-            .filter((e) => e.getBoundingClientRect().right > 360.5)
-            .map((e) => e.id || e.className || e.tagName),
+            .filter((e) => e.getBoundingClientRect().right > 360.5).map((e) => e.id || e.className || e.tagName),
     );
     assert.deepEqual(wide, []);
 }

@@ -12,8 +12,7 @@ const { PLYLoader } = await load('examples/jsm/loaders/PLYLoader.js');
 const { OBJLoader } = await load('examples/jsm/loaders/OBJLoader.js');
 
 async function read(path) {
-    const bytes = readFileSync(path),
-        buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
+    const bytes = readFileSync(path), buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
     if (path.endsWith('.ply')) return new three.Mesh(new PLYLoader().parse(buffer), new three.MeshBasicMaterial());
     if (path.endsWith('.obj')) return new OBJLoader().parse(bytes.toString());
     return (await new GLTFLoader().parseAsync(buffer, '')).scene;
@@ -21,15 +20,13 @@ async function read(path) {
 
 const found = [];
 for (const path of paths) {
-    const corners = [],
-        colours = [];
+    const corners = [], colours = [];
     let isShown = true;
     const scene = await read(path);
     scene.updateMatrixWorld(true);
     scene.traverse((mesh) => {
         if (!mesh.isMesh) return;
-        const whole = mesh.geometry.index ? mesh.geometry.toNonIndexed() : mesh.geometry,
-            { position, color } = whole.attributes;
+        const whole = mesh.geometry.index ? mesh.geometry.toNonIndexed() : mesh.geometry, { position, color } = whole.attributes;
         if (path.endsWith('.glb')) isShown = mesh.material.vertexColors && mesh.material.metalness === 0;
         for (let i = 0; i < position.count; i++) {
             corners.push(new three.Vector3().fromBufferAttribute(position, i).applyMatrix4(mesh.matrixWorld).toArray());

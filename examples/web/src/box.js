@@ -37,10 +37,7 @@ export const textOfBox = (box) => numbersOf(box).map(String).join(',');
 
 /** Six numbers are an upright box, fifteen a turned one; anything else is null. */
 export function boxOfText(text) {
-    const numbers = text
-        .trim()
-        .split(/[\s,]+/)
-        .map(Number);
+    const numbers = text.trim().split(/[\s,]+/).map(Number);
     if (!numbers.every(Number.isFinite)) return null;
     if (numbers.length === 6) {
         const box = { lo: numbers.slice(0, 3), hi: numbers.slice(3) };

@@ -4,8 +4,7 @@ import workerSource from 'built:worker';
 import { joinBits, setBits } from './bits.js';
 
 const urlOf = (source) => URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
-const workerUrl = urlOf(workerSource),
-    makerUrl = urlOf(makerSource);
+const workerUrl = urlOf(workerSource), makerUrl = urlOf(makerSource);
 
 /** One Worker, whose answers are promises. */
 class Hand {
@@ -77,8 +76,7 @@ export class Engine {
      * the mesh in use, which answers that are on their way are still about.
      */
     async load(triangles) {
-        const count = triangles.length / 9,
-            share = 64 * Math.ceil(count / 64 / this.workers);
+        const count = triangles.length / 9, share = 64 * Math.ceil(count / 64 / this.workers);
         const starts = this.hands.map((_, w) => Math.min(w * share, count));
         const loads = this.hands.map((hand, w) => {
             const part = triangles.slice(9 * starts[w], 9 * Math.min((w + 1) * share, count));
@@ -95,10 +93,8 @@ export class Engine {
 
     /** Which triangles overlap the box, lie inside, and are answered unlike EXACT. */
     async ask(question) {
-        const { starts, count } = this.parts,
-            answers = await this.all('ask', question);
-        const join = (name) =>
-            joinBits(answers.map((answer) => answer[name]), starts, count);
+        const { starts, count } = this.parts, answers = await this.all('ask', question);
+        const join = (name) => joinBits(answers.map((answer) => answer[name]), starts, count);
         return {
             mask: join('mask'),
             inside: join('inside'),

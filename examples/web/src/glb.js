@@ -7,8 +7,7 @@ import { Vector3 } from 'three';
 function trianglesOf(geometry, matrix) {
     const position = geometry.getAttribute('position');
     if (!position) return new Float32Array(0);
-    const numbers = geometry.index?.array,
-        count = 3 * Math.floor((numbers ? numbers.length : position.count) / 3);
+    const numbers = geometry.index?.array, count = 3 * Math.floor((numbers ? numbers.length : position.count) / 3);
     const triangles = new Float32Array(3 * count),
         point = new Vector3(); // moved here: others share the attribute, and what it holds may be whole numbers
     for (let i = 0; i < count; i++) {
@@ -68,10 +67,8 @@ function withoutPictures(buffer) {
     const json = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 20, length)));
     for (const name of ['materials', 'textures', 'images', 'samplers', 'animations']) delete json[name];
     for (const mesh of json.meshes ?? []) for (const primitive of mesh.primitives) delete primitive.material;
-    const text = new TextEncoder().encode(JSON.stringify(json)),
-        padded = 4 * Math.ceil(text.length / 4);
-    const rest = new Uint8Array(buffer, 20 + length),
-        out = new Uint8Array(20 + padded + rest.length).fill(0x20);
+    const text = new TextEncoder().encode(JSON.stringify(json)), padded = 4 * Math.ceil(text.length / 4);
+    const rest = new Uint8Array(buffer, 20 + length), out = new Uint8Array(20 + padded + rest.length).fill(0x20);
     out.set(new Uint8Array(buffer, 0, 20));
     out.set(text, 20);
     out.set(rest, 20 + padded);

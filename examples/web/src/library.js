@@ -51,9 +51,7 @@ export class Library {
 
     /** Brings what the index answered into the order of the file. */
     putInFileOrder() {
-        const { ids } = this.sorted,
-            from = this.mask.words.slice(),
-            to = this.mask.words.fill(0);
+        const { ids } = this.sorted, from = this.mask.words.slice(), to = this.mask.words.fill(0);
         for (let w = 0; w < from.length; w++)
             for (let left = from[w]; left; left &= left - 1) {
                 const triangle = ids[32 * w + 31 - Math.clz32(left & -left)];
@@ -63,8 +61,7 @@ export class Library {
 
     /** What askIndex comes by. */
     visits(box) {
-        const { memory } = this.tribox,
-            [nodes] = new Uint32Array(memory.buffer, this.index.address, 1);
+        const { memory } = this.tribox, [nodes] = new Uint32Array(memory.buffer, this.index.address, 1);
         return visitsOf(new Float32Array(memory.buffer, nodes), this.count, box);
     }
 
@@ -86,8 +83,7 @@ export class Library {
      * triangles of three equal vertices. By the axes of the box, which do for points.
      */
     findInsideTurned(box) {
-        const box15 = orientedOf(box),
-            points = this.tribox.allocSoup(this.count),
+        const box15 = orientedOf(box), points = this.tribox.allocSoup(this.count),
             inside = this.insideMask.words; // looked at last: room for the points may have moved it
         try {
             for (let vertex = 0; vertex < 3; vertex++) {
@@ -103,16 +99,14 @@ export class Library {
 
     /** The cells that these triangles mark, of a grid around a box: its words of 32 cells, and how long they took. */
     voxelize(bounds, resolution, test) {
-        const grid = this.tribox.gridAround(bounds, { resolution }),
-            start = performance.now(),
+        const grid = this.tribox.gridAround(bounds, { resolution }), start = performance.now(),
             voxels = this.soup.voxelize(grid, optionsOf(test));
         return { grid, bits: voxels.bits, milliseconds: performance.now() - start };
     }
 
     /** The paper's test reads nine floats a triangle, one after another: a copy for it alone. */
     openPaper() {
-        const { exports, memory } = this.tribox,
-            bytes = 4 * this.triangles.length;
+        const { exports, memory } = this.tribox, bytes = 4 * this.triangles.length;
         this.paper = exports.malloc(bytes + 24);
         if (!this.paper) throw new Error("no memory for the paper's copy of the mesh: take a smaller one");
         this.paperCount = this.count;
@@ -120,8 +114,7 @@ export class Library {
     }
 
     askPaper({ lo, hi }) {
-        const { exports, memory } = this.tribox,
-            numbers = new Float32Array(memory.buffer, this.paper, 6);
+        const { exports, memory } = this.tribox, numbers = new Float32Array(memory.buffer, this.paper, 6);
         numbers.set([...lo.map((l, a) => (l + hi[a]) / 2), ...lo.map((l, a) => (hi[a] - l) / 2)]);
         exports.paper_overlap(this.paper, this.paper + 12, this.paper + 24, this.paperCount, this.other.words.byteOffset);
     }

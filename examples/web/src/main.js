@@ -27,8 +27,7 @@ function coloursOf(root) {
 
 /** paint is called with the colours now and at every change. */
 function startTheme(button, paint) {
-    const root = document.documentElement,
-        system = matchMedia('(prefers-color-scheme: light)');
+    const root = document.documentElement, system = matchMedia('(prefers-color-scheme: light)');
     let chosen = null;
     const apply = () => {
         const theme = chosen ?? (system.matches ? 'light' : 'dark');
@@ -96,8 +95,7 @@ let wishes = 0;
 
 /** Shows what `make` returns once the page has said that it is busy, unless another is wished for meanwhile. */
 async function showMade(page, panel, make) {
-    const mine = ++wishes,
-        isLatest = () => mine === wishes;
+    const mine = ++wishes, isLatest = () => mine === wishes;
     panel.busy(true);
     try {
         const mesh = await make((text) => isLatest() && panel.progress(text));
@@ -116,9 +114,7 @@ async function showMade(page, panel, make) {
 
 /** How a scene, or a file, becomes a mesh. */
 function makersOf(page, panel) {
-    const { most } = page.view.stage.budget,
-        reader = WebAssembly.compile(bytesOf(readerWasm)),
-        files = new Map();
+    const { most } = page.view.stage.budget, reader = WebAssembly.compile(bytesOf(readerWasm)), files = new Map();
     const isGlb = (file) => /\.glb$/i.test(file.name);
     const readFile = async (file, say) => {
         const onNews = (share) => say(`Reading ${file.name}: ${Math.floor(100 * share)} %`);
@@ -173,8 +169,7 @@ async function start() {
     try {
         const workers = Number(given.get('workers')) || Math.min(2, navigator.hardwareConcurrency || 1);
         const starting = Engine.start(bytesOf(wasm), workers);
-        let page = null,
-            story = null;
+        let page = null, story = null;
         const place = (moved) => page?.mesh && page.placeBox(moved(page.mesh.box, page.halfLengths()));
         const motion = new Motion(element('play'), place);
         const view = startView(

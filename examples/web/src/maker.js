@@ -10,8 +10,7 @@ const roomFor = (area, { triangles, covers }) => Math.min(triangles, Math.max(10
 /** The area of a triangle, on the average of some. */
 function areaOf(places) {
     const step = 9 * Math.ceil(places.length / 9 / 1000);
-    let sum = 0,
-        count = 0;
+    let sum = 0, count = 0;
     for (let i = 0; i < places.length; i += step, count++) {
         const [ux, uy, uz, vx, vy, vz] = [3, 4, 5, 6, 7, 8].map((k) => places[i + k] - places[i + (k % 3)]);
         sum += Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
@@ -21,10 +20,8 @@ function areaOf(places) {
 
 /** Some of the triangles; larger by `growth`, to cover what those between them did. */
 function someOf(places, room, growth) {
-    const count = places.length / 9,
-        step = Math.ceil(count / room),
-        numbers = new Uint32Array(Math.floor(count / step)),
-        some = new Float32Array(9 * numbers.length);
+    const count = places.length / 9, step = Math.ceil(count / room),
+        numbers = new Uint32Array(Math.floor(count / step)), some = new Float32Array(9 * numbers.length);
     for (let i = 0; i < numbers.length; i++) {
         numbers[i] = i * step + ((Math.imul(i, 0x9e3779b1) >>> 8) % step); // not in rows
         const nine = places.subarray(9 * numbers[i], 9 * numbers[i] + 9);
@@ -38,9 +35,7 @@ function someOf(places, room, growth) {
 
 /** A part of what there is room for is left to those that straddle. Small triangles are drawn larger, to cover what all did. */
 function sampleOf(places, frame, most, coarse) {
-    const room = roomFor(areaOf(places), most),
-        count = places.length / 9,
-        part = Math.floor(room / 2);
+    const room = roomFor(areaOf(places), most), count = places.length / 9, part = Math.floor(room / 2);
     if (count <= room) return null;
     if (!coarse) return someOf(places, part, room < most.triangles ? 1 : Math.sqrt((2 * count) / part));
     const { triangles, numbers } = coarse(part);

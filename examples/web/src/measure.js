@@ -25,8 +25,7 @@ function time(run, calls) {
 /** Runs each until the best of its times no longer falls; how many calls make a time long enough for the clock. */
 async function warmUp(contestants, pause) {
     const start = performance.now();
-    let best = contestants.map(() => Infinity),
-        calm = 0;
+    let best = contestants.map(() => Infinity), calm = 0;
     for (let passed = 0; passed < MOST_MS && (passed < WARM_MS || calm < 3); passed = performance.now() - start) {
         const times = contestants.map((c) => time(c.run, c.calls));
         contestants.forEach((c, i) => {

@@ -2,8 +2,7 @@
 
 /** Bounds of the triangles that are finite; how many are not. */
 export function boundsOf(triangles) {
-    const lo = [Infinity, Infinity, Infinity],
-        hi = [-Infinity, -Infinity, -Infinity];
+    const lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
     let notFinite = 0;
     for (let i = 0; i < triangles.length; i += 9) {
         let sum = 0;
@@ -13,8 +12,7 @@ export function boundsOf(triangles) {
             continue;
         }
         for (let k = 0; k < 9; k++) {
-            const x = triangles[i + k],
-                a = k % 3;
+            const x = triangles[i + k], a = k % 3;
             if (x < lo[a]) lo[a] = x;
             if (x > hi[a]) hi[a] = x;
         }

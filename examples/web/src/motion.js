@@ -44,8 +44,7 @@ export class Motion {
 
     /** half: the size that the box has, however far it began with it. */
     moved({ center, half: first }, half) {
-        const waves = [0.61, 0.83, 0.47],
-            reach = Math.max(...first) * 1.3;
+        const waves = [0.61, 0.83, 0.47], reach = Math.max(...first) * 1.3;
         return { center: center.map((c, a) => c + reach * Math.sin(waves[a] * this.time)), half };
     }
 }

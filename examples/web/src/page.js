@@ -6,11 +6,8 @@ import { three, whole } from './numbers.js';
 const WORDS = { paper: "the paper's", exact: 'tribox' };
 
 function bar({ name, ns }, paper, most) {
-    const word = document.createElement('dt'),
-        value = document.createElement('dd'),
-        length = document.createElement('i');
-    const text = document.createElement('span'),
-        number = document.createElement('b');
+    const word = document.createElement('dt'), value = document.createElement('dd'), length = document.createElement('i');
+    const text = document.createElement('span'), number = document.createElement('b');
     word.textContent = WORDS[name];
     length.style.width = `calc((100% - 104px) * ${ns / most})`;
     number.textContent = three(ns);
@@ -25,10 +22,8 @@ function bar({ name, ns }, paper, most) {
 const factorOf = ({ rows }) => rows[0].ns / rows[1].ns;
 
 function drawChart(to, { rows, rounds, triangles }, kernel) {
-    const list = document.createElement('dl'),
-        note = document.createElement('p');
-    const [{ ns: paper }] = rows,
-        most = Math.max(...rows.map((row) => row.ns));
+    const list = document.createElement('dl'), note = document.createElement('p');
+    const [{ ns: paper }] = rows, most = Math.max(...rows.map((row) => row.ns));
     list.className = 'bars';
     list.append(...rows.flatMap((row) => bar(row, paper, most)));
     note.className = 'note';
@@ -40,8 +35,7 @@ function drawChart(to, { rows, rounds, triangles }, kernel) {
 
 /** Returns a function that asks for `work`. onError is handed what went wrong, or null when nothing did. */
 function latest(work, onError) {
-    let isBusy = false,
-        isWanted = false;
+    let isBusy = false, isWanted = false;
     return async () => {
         isWanted = true;
         if (isBusy) return;
@@ -60,8 +54,7 @@ function latest(work, onError) {
     };
 }
 
-const BOX = 1,
-    ALL = 7;
+const BOX = 1, ALL = 7;
 
 /** The test that is asked, and a note where it is not the one that was chosen. */
 function allowedTest(test, box, byIndex) {
@@ -79,8 +72,7 @@ const REST_MS = 150;
 
 /** A box for a mesh that comes without one: in its upper corner, to be seen cutting it. */
 function boxFor({ lo, hi }) {
-    const sides = lo.map((l, a) => hi[a] - l),
-        half = Math.max(...sides) / 5 || 1;
+    const sides = lo.map((l, a) => hi[a] - l), half = Math.max(...sides) / 5 || 1;
     return { center: lo.map((l, a) => (l + hi[a]) / 2 + sides[a] / 5), half: [half, half, half] };
 }
 
@@ -105,11 +97,8 @@ export class Page {
     }
 
     async answer() {
-        const { mesh, panel, view } = this,
-            box = this.box(),
-            byIndex = panel.isByIndex();
-        const { test, note } = allowedTest(panel.test(), box, byIndex),
-            question = { box, test, byIndex };
+        const { mesh, panel, view } = this, box = this.box(), byIndex = panel.isByIndex();
+        const { test, note } = allowedTest(panel.test(), box, byIndex), question = { box, test, byIndex };
         const answer = await this.engine.ask(question);
         if (mesh !== this.mesh) return;
         view.triangles.classify(answer);
@@ -131,8 +120,7 @@ export class Page {
     }
 
     async markCells() {
-        const { mesh, panel, view } = this,
-            isWanted = panel.wantsCells();
+        const { mesh, panel, view } = this, isWanted = panel.wantsCells();
         view.triangles.visible = !isWanted;
         if (!isWanted) {
             view.cells.hide();

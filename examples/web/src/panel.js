@@ -171,8 +171,7 @@ export class Panel {
             left = bounds.notFinite ? ` ${whole(bounds.notFinite)} have coordinates that are not finite, and overlap nothing.` : '';
         const drawn = sample ? ` Drawn: ${whole(sample.numbers.length)} in place of all, and those that straddle.` : '';
         if (name) element('scene').value = fileValue(name);
-        element('mesh-note').textContent =
-            `${name ? `${name}: ${whole(count)} triangles.` : ''}${left}${drawn} ` +
+        element('mesh-note').textContent = `${name ? `${name}: ${whole(count)} triangles.` : ''}${left}${drawn} ` +
             'Or drop a file: .stl, .obj, .ply, .off, .glb. It stays on this machine.';
         this.showFactor(0);
     }
@@ -196,8 +195,7 @@ export class Panel {
 
     /** Returns the triangles that are answered unlike EXACT. */
     showAnswer(answer, { box, test, byIndex }, mesh, engine) {
-        const { overlapping, insides, unlike } = answer,
-            { count } = engine;
+        const { overlapping, insides, unlike } = answer, { count } = engine;
         this.showTime(answer.milliseconds, byIndex, engine);
         element('straddling').textContent = whole(overlapping - insides);
         element('inside').textContent = whole(insides);
@@ -221,8 +219,7 @@ export class Panel {
     listUnlike(unlike, accuracy) {
         element('unlike-list').hidden = !unlike;
         if (!unlike) return [];
-        const numbers = listBits(unlike),
-            more = numbers.length - MOST_LISTED;
+        const numbers = listBits(unlike), more = numbers.length - MOST_LISTED;
         element('unlike').textContent = whole(numbers.length);
         element('unlike-title').textContent = numbers.length
             ? `${accuracy.toUpperCase()} differs from EXACT on ${whole(numbers.length)} triangle${numbers.length === 1 ? '' : 's'}`

@@ -30,8 +30,7 @@ function textAt({ exports }, address) {
 }
 
 function nameFor({ exports }, name) {
-    const bytes = new TextEncoder().encode(`${name}\0`),
-        address = exports.malloc(bytes.length);
+    const bytes = new TextEncoder().encode(`${name}\0`), address = exports.malloc(bytes.length);
     new Uint8Array(exports.memory.buffer).set(bytes, address);
     return address;
 }
@@ -47,8 +46,7 @@ function inPercents(say) {
 
 /** module: examples/web/read. say is told the share that is done, of reading the file and then of making triangles of it. */
 export async function readMesh(file, module, say) {
-    const up = UP[endingOf(file.name)],
-        { name } = file;
+    const up = UP[endingOf(file.name)], { name } = file;
     if (!up)
         throw new Error(`${name}: not a kind of file that this page reads. Export the mesh as .stl, .obj, .ply, .off or .glb.`);
     if (!file.size) throw new Error(`${name}: the file is empty. Export or download it again.`);

@@ -7,8 +7,7 @@ const CHILDREN = 64,
 /** The levels of an index over so many triangles, the lowest first: its nodes, and which is the first of them. */
 function levelsOf(triangles) {
     const levels = [];
-    let children = Math.ceil(triangles / 64),
-        first = 0;
+    let children = Math.ceil(triangles / 64), first = 0;
     do {
         const nodes = Math.max(1, Math.ceil(children / CHILDREN));
         levels.push({ first, nodes, children });
@@ -23,13 +22,10 @@ function levelsOf(triangles) {
  * words of 64 triangles that had to be tested: six numbers each.
  */
 export function visitsOf(floats, triangles, { lo, hi }) {
-    const levels = levelsOf(triangles),
-        nodes = [],
-        words = [];
+    const levels = levelsOf(triangles), nodes = [], words = [];
     let asked = [0];
     for (const { first, children } of levels.reverse()) {
-        const isLowest = first === 0,
-            next = [];
+        const isLowest = first === 0, next = [];
         for (const node of asked)
             for (let c = 0; c < Math.min(CHILDREN, children - CHILDREN * node); c++) {
                 const bound = Array.from({ length: 6 }, (_, row) => floats[NODE_FLOATS * (first + node) + CHILDREN * row + c]);

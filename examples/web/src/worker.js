@@ -12,8 +12,7 @@ let asked = 0; // questions so far: what takes its time gives way to the next
 /** Runs a call again until it fills a millisecond, as clocks of browsers are coarse. Returns milliseconds a call. */
 function time(call) {
     const start = performance.now();
-    let calls = 0,
-        passed = 0;
+    let calls = 0, passed = 0;
     do {
         call();
         calls++;
@@ -41,8 +40,7 @@ serve(
         const milliseconds = time(() => (undecided = ask()));
         if (byIndex) library.putInFileOrder();
         library.findInside(box);
-        const mask = library.mask.words.slice(),
-            inside = library.insideMask.words.slice();
+        const mask = library.mask.words.slice(), inside = library.insideMask.words.slice();
         const unlike = test.accuracy === 'exact' ? null : library.askExact(box, test).slice();
         const visits = byIndex && !box.turned ? library.visits(box) : null;
         if (unlike) for (let i = 0; i < mask.length; i++) unlike[i] ^= mask[i];
@@ -52,8 +50,7 @@ serve(
     /** The least time of the same question, once the browser has compiled its best; null if another question came. */
     async settle({ box, test, byIndex }) {
         const ask = byIndex ? () => library.askIndex(box, test) : () => library.ask(box, test);
-        const start = performance.now(),
-            mine = asked;
+        const start = performance.now(), mine = asked;
         let milliseconds = Infinity;
         while (performance.now() - start < SETTLE_MS) {
             milliseconds = Math.min(milliseconds, time(ask));

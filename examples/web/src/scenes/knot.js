@@ -1,22 +1,15 @@
 // knot.js - the mesh of `tribox demo`: a tube along a knot that winds twice around a torus and three times through its hole.
 
-const RADIUS = 2,
-    SWING = 0.85,
-    TUBE = 0.42;
+const RADIUS = 2, SWING = 0.85, TUBE = 0.42;
 
 function knotPoint(t, turn, to, at) {
-    const cp = Math.cos(2 * t),
-        sp = Math.sin(2 * t),
-        cq = Math.cos(3 * t),
-        sq = Math.sin(3 * t),
-        rho = RADIUS + SWING * cq;
+    const cp = Math.cos(2 * t), sp = Math.sin(2 * t), cq = Math.cos(3 * t), sq = Math.sin(3 * t), rho = RADIUS + SWING * cq;
     const center = [rho * cp, rho * sp, SWING * sq];
     const outward = [cq * cp, cq * sp, sq]; // normal to the torus and so to the knot
     const along = [-3 * SWING * sq * cp - 2 * rho * sp, -3 * SWING * sq * sp + 2 * rho * cp, 3 * SWING * cq];
     const length = Math.hypot(...along);
     for (let a = 0; a < 3; a++) {
-        const b = (a + 1) % 3,
-            c = (a + 2) % 3;
+        const b = (a + 1) % 3, c = (a + 2) % 3;
         const sideward = (along[b] * outward[c] - along[c] * outward[b]) / length;
         to[at + a] = center[a] + TUBE * (Math.cos(turn) * outward[a] + Math.sin(turn) * sideward);
     }
@@ -46,11 +39,9 @@ export function knot(rings, corners) {
 export function coarseKnot(rings, corners, room) {
     let step = 2;
     while (rings % step || corners % step || (2 * rings * corners) / step ** 2 > room) step++;
-    const across = corners / step,
-        triangles = knot(rings / step, across);
+    const across = corners / step, triangles = knot(rings / step, across);
     const numbers = Uint32Array.from({ length: triangles.length / 9 }, (_, i) => {
-        const ring = Math.floor(i / 2 / across),
-            corner = Math.floor(i / 2) % across;
+        const ring = Math.floor(i / 2 / across), corner = Math.floor(i / 2) % across;
         return 2 * step * (ring * corners + corner) + (i % 2);
     });
     return { triangles, numbers };

@@ -21,18 +21,12 @@ export function paperScene(count) {
  * edge of it, as nearly as floats can, and the third vertex lies beyond. FAST cannot tell on which side. size: 1 for small ones.
  */
 export function tiesScene(count, size = 1) {
-    const random = generator(7),
-        triangles = new Float32Array(9 * count);
+    const random = generator(7), triangles = new Float32Array(9 * count);
     for (let i = 0; i < count; i++) {
-        const axis = Math.floor(3 * random()),
-            b = (axis + 1) % 3,
-            c = (axis + 2) % 3;
-        const sb = random() < 0.5 ? -1 : 1,
-            sc = random() < 0.5 ? -1 : 1;
+        const axis = Math.floor(3 * random()), b = (axis + 1) % 3, c = (axis + 2) % 3;
+        const sb = random() < 0.5 ? -1 : 1, sc = random() < 0.5 ? -1 : 1;
         const at = 2 * random() - 1; // where on the edge
-        const slope = 0.2 + random(),
-            length = size * (0.06 + 0.1 * random()),
-            rise = (random() - 0.5) * length;
+        const slope = 0.2 + random(), length = size * (0.06 + 0.1 * random()), rise = (random() - 0.5) * length;
         const place = (v, along, db, dc) => {
             triangles[9 * i + 3 * v + axis] = at + along;
             triangles[9 * i + 3 * v + b] = sb * (1 + db);

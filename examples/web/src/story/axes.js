@@ -22,10 +22,8 @@ function directions(vertices) {
 export function axesOf(triangle) {
     const vertices = [0, 3, 6].map((at) => Array.from(triangle.slice(at, at + 3)));
     return directions(vertices).map(({ axis, ...name }) => {
-        const places = vertices.map((v) => dot(axis, v)),
-            r = Math.abs(axis[0]) + Math.abs(axis[1]) + Math.abs(axis[2]);
-        const lo = Math.min(...places),
-            hi = Math.max(...places);
+        const places = vertices.map((v) => dot(axis, v)), r = Math.abs(axis[0]) + Math.abs(axis[1]) + Math.abs(axis[2]);
+        const lo = Math.min(...places), hi = Math.max(...places);
         return { ...name, lo, hi, r, gap: Math.max(lo - r, -r - hi, 0) };
     });
 }

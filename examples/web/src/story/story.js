@@ -11,8 +11,7 @@ function bar(className) {
 }
 
 function item({ letter, number, group }) {
-    const made = document.createElement('li'),
-        name = document.createElement('var');
+    const made = document.createElement('li'), name = document.createElement('var');
     name.append(letter);
     if (number) name.append(Object.assign(document.createElement('sub'), { textContent: number }));
     const track = document.createElement('span');
@@ -35,8 +34,7 @@ function makeAxesView(list) {
         items ??= axes.map(item);
         if (!list.children.length) list.append(...items);
         axes.forEach(({ letter, number, lo, hi, r, gap }, i) => {
-            const span = 1.15 * Math.max(r, Math.abs(lo), Math.abs(hi)) || 1,
-                at = (x) => 0.5 + x / span / 2;
+            const span = 1.15 * Math.max(r, Math.abs(lo), Math.abs(hi)) || 1, at = (x) => 0.5 + x / span / 2;
             const [ofBox, ofTriangle, between] = items[i].lastChild.children;
             put(ofBox, at(-r), at(r));
             put(ofTriangle, at(lo), at(hi));
@@ -81,8 +79,7 @@ export class Story {
 
     /** Of the box that the scene begins with, times a factor, where it is. */
     size(factor) {
-        const { page } = this,
-            { pose } = page.view.box;
+        const { page } = this, { pose } = page.view.box;
         if (!page.mesh) return;
         pose.scale.fromArray(page.mesh.box.half.map((h) => (factor * h) / page.mesh.frame.scale));
         page.view.stage.draw();
@@ -100,8 +97,7 @@ export class Story {
     }
 
     scrolled() {
-        const { scrollTop, clientHeight } = this.scroller,
-            middle = scrollTop + clientHeight / 2;
+        const { scrollTop, clientHeight } = this.scroller, middle = scrollTop + clientHeight / 2;
         const i = this.articles.findLastIndex((article) => article.offsetTop <= middle);
         if (this.isOpen) this.enter(Math.max(0, i));
     }
@@ -136,8 +132,7 @@ export class Story {
     }
 
     async showStep(step) {
-        const { page, panel, motion } = this,
-            { view } = page;
+        const { page, panel, motion } = this, { view } = page;
         motion?.stop();
         panel.choose(step.test ?? {});
         if (this.scene !== step.scene) {
@@ -171,8 +166,7 @@ export class Story {
         }
         if (visits) {
             const looked = visits.roots + visits.nodes.length / 6;
-            element('visits').textContent =
-                `${whole(looked)} of ${whole(visits.ofNodes)} nodes looked at, ` +
+            element('visits').textContent = `${whole(looked)} of ${whole(visits.ofNodes)} nodes looked at, ` +
                 `${whole(visits.words.length / 6)} of ${whole(visits.ofWords)} groups of 64 triangles tested.`;
         }
         if (this.step?.scene === 'grazing') {

@@ -1,10 +1,7 @@
 // box_keys.js - the keyboard on the canvas: moves, turns and sizes the box as the camera sees it.
 import { Quaternion, Vector3 } from 'three';
 
-const STEP = 0.02,
-    FINE = 0.1,
-    ANGLE = Math.PI / 36,
-    GROWTH = 1.05;
+const STEP = 0.02, FINE = 0.1, ANGLE = Math.PI / 36, GROWTH = 1.05;
 
 export const ARROWS = {
     ArrowLeft: ['right', -1],
@@ -20,8 +17,7 @@ export function axesSeen(camera) {
     const seen = { right: new Vector3(), up: new Vector3(), away: new Vector3() };
     camera.matrixWorld.extractBasis(seen.right, seen.up, seen.away);
     seen.away.negate();
-    const left = ['x', 'y', 'z'],
-        axes = {};
+    const left = ['x', 'y', 'z'], axes = {};
     for (const name of ['up', 'right', 'away']) {
         left.sort((a, b) => Math.abs(seen[name][b]) - Math.abs(seen[name][a]));
         const axis = left.shift();
@@ -48,8 +44,7 @@ export function addBoxKeys(stage, box, setMode) {
     const modes = { m: 'translate', t: 'rotate', s: 'scale' };
     stage.canvas.addEventListener('keydown', (event) => {
         if (!box.isOn || event.ctrlKey || event.metaKey) return;
-        const arrow = ARROWS[event.key],
-            factor = event.altKey ? FINE : 1;
+        const arrow = ARROWS[event.key], factor = event.altKey ? FINE : 1;
         if (arrow) (event.shiftKey ? turn : move)(...arrow, factor);
         else if (others[event.key]) others[event.key]();
         else if (modes[event.key]) return setMode(modes[event.key]);

@@ -88,11 +88,7 @@ export class BoxView {
 
     /** The body of the box follows the pointer in the plane of the picture. */
     addDragging() {
-        const { canvas, camera } = this.stage,
-            ray = new Raycaster(),
-            plane = new Plane(),
-            grip = new Vector3(),
-            to = new Vector3();
+        const { canvas, camera } = this.stage, ray = new Raycaster(), plane = new Plane(), grip = new Vector3(), to = new Vector3();
         const aim = (event) => {
             const { left, top, width, height } = canvas.getBoundingClientRect();
             ray.setFromCamera(

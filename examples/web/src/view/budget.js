@@ -2,16 +2,13 @@
 // where there is no graphics card.
 
 const SHARES = [1, 0.8, 0.65, 0.5, 0.4, 0.3], // of the pixels along a side
-    SLOW_MS = 70,
-    QUICK_MS = 50,
+    SLOW_MS = 70, QUICK_MS = 50,
     SLOW_FRAMES = 3, // in a row, before fewer pixels are drawn
     QUICK_FRAMES = 20, // and before more are, twice as many each time that it was too early
-    MOST_MS = 100,
-    ENOUGH = 5;
+    MOST_MS = 100, ENOUGH = 5;
 
 /** What is drawn at most: triangles, and how often they may cover the picture. */
-const SOFTWARE = { triangles: 16000, covers: 5 },
-    HARDWARE = { triangles: 4e6, covers: 60 };
+const SOFTWARE = { triangles: 16000, covers: 5 }, HARDWARE = { triangles: 4e6, covers: 60 };
 
 /** Whether pictures are made by the processor. */
 function isSoftware(gl) {

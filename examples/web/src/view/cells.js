@@ -43,14 +43,12 @@ void main() {
     pixel = vec4(colour * (1.0 - 0.45 * edge * smoothstep(3.0, 10.0, size)), 1);
 }`;
 
-const MOST_FACES = 1e6,
-    SQUARE = [0, 1, 2, 0, 2, 3];
+const MOST_FACES = 1e6, SQUARE = [0, 1, 2, 0, 2, 3];
 
 export class Cells {
     constructor(stage) {
         this.stage = stage;
-        const vector = () => ({ value: new Vector3() }),
-            colour = () => ({ value: new Color() });
+        const vector = () => ({ value: new Vector3() }), colour = () => ({ value: new Color() });
         this.uniforms = {
             ...{ origin: vector(), cell: vector(), box_lo: vector(), box_hi: vector(), light_from: vector() },
             ...{ cells_colour: colour(), straddling_colour: colour(), inside_colour: colour() },
@@ -70,9 +68,7 @@ export class Cells {
     }
 
     show(grid, at, { up, frame: { middle, scale } }) {
-        const faces = at.length / 4,
-            ofVertices = new Uint16Array(4 * at.length),
-            corners = new Uint32Array(6 * faces);
+        const faces = at.length / 4, ofVertices = new Uint16Array(4 * at.length), corners = new Uint32Array(6 * faces);
         for (let face = 0; face < faces; face++) {
             const four = at.subarray(4 * face, 4 * face + 4);
             for (let v = 0; v < 4; v++) ofVertices.set(four, 16 * face + 4 * v);

@@ -3,8 +3,7 @@ import { Color, Mesh, MeshBasicMaterial, Plane, Raycaster, SphereGeometry, Vecto
 import { ARROWS, axesSeen } from './box_keys.js';
 
 const GRID = 64, // to a unit of the mesh
-    REACH = 3,
-    STEP = 1 / 16,
+    REACH = 3, STEP = 1 / 16,
     GRIP = 0.16, // what a finger hits
     SEEN = 0.045;
 
@@ -63,10 +62,7 @@ export class Corners {
     }
 
     listen() {
-        const { canvas, camera } = this.stage,
-            ray = new Raycaster(),
-            plane = new Plane(),
-            to = new Vector3();
+        const { canvas, camera } = this.stage, ray = new Raycaster(), plane = new Plane(), to = new Vector3();
         let pointer = null;
         const aim = (event) => {
             const { left, top, width, height } = canvas.getBoundingClientRect();
@@ -102,8 +98,7 @@ export class Corners {
         if (event.ctrlKey || event.metaKey) return;
         const arrow = ARROWS[event.key];
         if (arrow) {
-            const axis = axesSeen(this.stage.camera)[arrow[0]],
-                place = this.knobs[this.chosen].position.clone();
+            const axis = axesSeen(this.stage.camera)[arrow[0]], place = this.knobs[this.chosen].position.clone();
             this.put(this.chosen, place.addScaledVector(axis, (arrow[1] * STEP) / this.frame.scale));
         } else if ('123'.includes(event.key)) this.chosen = Number(event.key) - 1;
         else return;

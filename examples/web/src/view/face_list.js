@@ -6,8 +6,7 @@ import { countBits } from '../bits.js';
  * cells at once are compared with their neighbours. room: where there are more faces, none are listed, but counted.
  */
 export function listFaces([, rows, layers], bits, room) {
-    const rowWords = bits.length / rows / layers,
-        layerWords = rowWords * rows;
+    const rowWords = bits.length / rows / layers, layerWords = rowWords * rows;
     const beside = [
         (w, x) => (bits[w] << 1) | (x ? bits[w - 1] >>> 31 : 0),
         (w, x) => (bits[w] >>> 1) | (x < rowWords - 1 ? bits[w + 1] << 31 : 0),
@@ -20,10 +19,7 @@ export function listFaces([, rows, layers], bits, room) {
     let faces = 0;
     for (let w = 0; w < bits.length; w++) {
         if (!bits[w]) continue;
-        const x = w % rowWords,
-            row = (w - x) / rowWords,
-            j = row % rows,
-            k = (row - j) / rows;
+        const x = w % rowWords, row = (w - x) / rowWords, j = row % rows, k = (row - j) / rows;
         for (let side = 0; side < 6; side++)
             for (let left = bits[w] & ~beside[side](w, x, j, k); left; left &= left - 1, faces++)
                 if (faces < room) at.set([32 * x + 31 - Math.clz32(left & -left), j, k, side], 4 * faces);

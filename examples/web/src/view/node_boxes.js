@@ -29,8 +29,7 @@ export class NodeBoxes {
     /** visits: six numbers a box; null for none. */
     show(visits, { middle, scale }) {
         for (const kind of Object.keys(this.kinds)) {
-            const boxes = visits?.[kind] ?? [],
-                places = new Float32Array((boxes.length / 6) * EDGES.length * 3);
+            const boxes = visits?.[kind] ?? [], places = new Float32Array((boxes.length / 6) * EDGES.length * 3);
             let at = 0;
             for (let box = 0; box < boxes.length; box += 6)
                 for (const corner of EDGES) for (let a = 0; a < 3; a++) places[at++] = (boxes[box + corner[a]] - middle[a]) / scale;

@@ -47,10 +47,7 @@ export class Stage {
     lookFrom(up) {
         const isWide = this.camera.aspect > 1;
         this.camera.up.copy(UP[up]);
-        this.camera.position
-            .copy(FROM[up])
-            .normalize()
-            .multiplyScalar(isWide ? 3.6 : 5);
+        this.camera.position.copy(FROM[up]).normalize().multiplyScalar(isWide ? 3.6 : 5);
         this.orbit.dispose();
         const { enableDamping, dampingFactor, minDistance, maxDistance } = this.orbit;
         this.orbit = Object.assign(new OrbitControls(this.camera, this.canvas), {

@@ -190,8 +190,7 @@ export class Triangles {
 
     /** Of a mesh that is not drawn whole: as many as there is room for. */
     drawStraddling(mask, inside) {
-        const onBorder = mask.map((word, w) => word & ~inside[w]),
-            numbers = Uint32Array.from(listBits(onBorder, this.room)),
+        const onBorder = mask.map((word, w) => word & ~inside[w]), numbers = Uint32Array.from(listBits(onBorder, this.room)),
             places = new Float32Array(9 * numbers.length);
         numbers.forEach((n, i) => places.set(this.places.subarray(9 * n, 9 * n + 9), 9 * i));
         this.mesh.geometry.dispose();
@@ -209,8 +208,7 @@ export class Triangles {
 
     /** Rings around the middles of these triangles. */
     mark(numbers) {
-        const shown = numbers.slice(0, MOST_MARKS),
-            middles = new Float32Array(3 * shown.length);
+        const shown = numbers.slice(0, MOST_MARKS), middles = new Float32Array(3 * shown.length);
         shown.forEach((n, m) => {
             for (let a = 0; a < 3; a++)
                 middles[3 * m + a] = (this.places[9 * n + a] + this.places[9 * n + 3 + a] + this.places[9 * n + 6 + a]) / 3;
