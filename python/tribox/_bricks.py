@@ -112,8 +112,7 @@ def bricks_in(voxels):
         if voxels.inside is not None:
             i, j, _ = at.T
             insides.append(bits_at(little(padded(voxels.inside.words[k:k + 8])), 0 * i, i, j, 0 * i))
-    return replace(joined(parts, voxels.grid),
-                   ids=None if voxels._ids is None else np.concatenate([np.empty(0, NUMBER), *ids]),
+    return replace(joined(parts, voxels.grid), ids=None if voxels._ids is None else np.concatenate([np.empty(0, NUMBER), *ids]),
                    inside=None if voxels.inside is None else np.concatenate([np.empty((0, 8), WORD), *insides]))
 
 

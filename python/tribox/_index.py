@@ -141,8 +141,7 @@ class Index:
         return self._list(self._question(lo, hi, accuracy, axes, axis_order, kernel))
 
     def lists(self, lo: Boxes, hi: Optional[Boxes] = None, *, accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0,
-              kernel: Optional[str] = None,
-              threads: Optional[SupportsIndex] = 1) -> Tuple[NDArray[np.uint32], NDArray[np.intp]]:
+              kernel: Optional[str] = None, threads: Optional[SupportsIndex] = 1) -> Tuple[NDArray[np.uint32], NDArray[np.intp]]:
         """list() for many boxes: (list, start), where list[start[i]:start[i + 1]] has the triangles of box i.
 
         lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) where m is not 3; or lo alone, of shape (m, 2, 3). A box

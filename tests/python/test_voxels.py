@@ -295,9 +295,8 @@ class Sparse(cases.TestCase):
             self.assert_same(tribox.cell_lists(triangles, grid, **options).cells.astype(np.int64), cells)
             self.assertEqual(sorted(tribox.bricks(triangles, grid, side=32, **options).cells().tolist()), sorted(cells.tolist()))
         lists = [tribox.cell_lists(triangles, grid, accuracy=word) for word in ("exact", "conservative", "fast")]
-        pairs = [{(*cell, number) for cell, a,
-                  b in zip(one.cells.tolist(), one.start, one.start[1:]) for number in one.triangles[a:b]}
-                 for one in lists]
+        pairs = [{(*cell, number) for cell, a, b in zip(one.cells.tolist(), one.start, one.start[1:])
+                  for number in one.triangles[a:b]} for one in lists]
         self.assertTrue(pairs[0] <= pairs[1] and pairs[0] <= pairs[2])
         more = tribox.voxelize(triangles, grid, accuracy="conservative")
         self.assertTrue((more >= np.asarray(tribox.voxelize(triangles, grid))).all())

@@ -341,8 +341,7 @@ class Files(Colours):
         self.addCleanup(folder.cleanup)
         try:
             done = subprocess.run(["npm", "install", "--loglevel=error", "--no-audit", "--no-fund", "--prefer-offline",
-                                   "three@" + version],
-                                  cwd=folder.name, capture_output=True, timeout=100)
+                                   "three@" + version], cwd=folder.name, capture_output=True, timeout=100)
         except subprocess.TimeoutExpired:
             self.skipTest("npm installs no three.js in time")
         if done.returncode:
@@ -432,8 +431,7 @@ class Ways(Colours):
                 for threads in ("1", "2", "7"):
                     out = self.path("%s.%s" % (threads, word))
                     self.succeed("voxelize", mesh, "--cell", "0.0154,0.2,0.2", "--origin=-2,-2,-2", "--size", "260,20,20",
-                                 "--colours", "-q", "-t",
-                                 threads, "-o", out)
+                                 "--colours", "-q", "-t", threads, "-o", out)
                     written.add(harness.read(out))
                 self.assertEqual(len(written), 1, (name, word))
 
@@ -456,8 +454,7 @@ class Ways(Colours):
     def test_shift(self):
         mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
         self.succeed("voxelize", mesh, "--shift", "1,2,3", "--cell", "0.5,0.75,0.5", "--origin=-3,-4.25,-5", "--size", "8,6,9",
-                     "--colours", "-q",
-                     "-o", self.path("cells.ply"))
+                     "--colours", "-q", "-o", self.path("cells.ply"))
         self.assertEqual(coloured.faces_of(coloured.triangles_of(self.path("cells.ply")), ABOUT),
                          coloured.faces_expected(self.cells(self.colours)))
 

@@ -43,8 +43,7 @@ class Places(Files):
                 self.assertEqual((done.code, done.stderr, done.octets, os.listdir(temporary)), (0, "", expected, []),
                                  (word, command[0]))
         self.fail_with(1, "^tribox voxelize: /nonexistent: cannot write there: No such file", "voxelize", self.mesh, "-r", "20",
-                       "--out-format", "npz", "-o", "-",
-                       env={"TMPDIR": "/nonexistent"})
+                       "--out-format", "npz", "-o", "-", env={"TMPDIR": "/nonexistent"})
         result = harness.run("voxelize", "-", "--format", "f32", "-r", "20", "-o", "-", "--out-format", "npy",
                              stdin=read(self.mesh) + struct.pack("<9f", *[meshes.NAN] * 9))
         self.assertEqual(result.octets, self.out("voxelize", self.mesh, "-r", "20", ending=".npy"))
@@ -141,8 +140,7 @@ class Places(Files):
         old = self.write("old", "what was there")
         for word, limit in itertools.product((*FORMATS, *["vdb"] * (not harness.lacks("OpenVDB"))), (0, 100, 2000)):
             self.fail_with(1, "old: " + (TOO_LARGE if word != "vdb" else ""), "voxelize", self.mesh, "-r", "90", "--out-format",
-                           word, "-o", old,
-                           limit=(resource.RLIMIT_FSIZE, limit))
+                           word, "-o", old, limit=(resource.RLIMIT_FSIZE, limit))
             if word != "vdb":
                 self.fail_with(1, "old: " + TOO_LARGE, "merge", part, "--out-format", word, "-o", old,
                                limit=(resource.RLIMIT_FSIZE, limit))
@@ -239,8 +237,7 @@ class Signals(Files):
         self.assertEqual(read(out), b"what was there")
         many = self.write("many.f32", meshes.pack_floats(meshes.lattice_triangles(400, seed=2)))
         self.end(signal.SIGTERM, 1, again + "shard 2 of 3 again, parts that are there stay good", "voxelize", many,
-                 *grid_of("0.001", "-2,-2,-2", "4000,4000,4000"),
-                 "-q", "--shard", "2/3", "-o", shard)
+                 *grid_of("0.001", "-2,-2,-2", "4000,4000,4000"), "-q", "--shard", "2/3", "-o", shard)
 
     def test_ignored(self):
         """As nohup has it, and a shell what it puts in the background: that ends nothing."""
@@ -312,8 +309,7 @@ class Signals(Files):
             error = process.communicate(timeout=60)[1].decode()
             self.assertEqual((process.returncode, self.there()), (1 if is_child else -number, there))
             self.assert_one_line(error, r"big\.vdb: OpenVDB failed: it broke off, most likely for lack of memory; write \.npz$"
-                                 if is_child else
-                                 "^tribox voxelize: interrupted: nothing was written; run it again$")
+                                 if is_child else "^tribox voxelize: interrupted: nothing was written; run it again$")
             self.wait_for(lambda: not os.path.exists("/proc/%d" % child) or b") Z" in read("/proc/%d/stat" % child))
             self.assertTrue(not os.path.exists("/proc/%d" % child) or b") Z" in read("/proc/%d/stat" % child))
 

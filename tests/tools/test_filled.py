@@ -67,8 +67,7 @@ class Filled(Voxels):
                     continue  # which is not closed in the grid
                 self.assertTrue((truth == 1).sum() > 1000 and (truth == 2).sum() > 1000)
                 for word, more in (("npz", ()), ("npz", ("--deflate",)), ("npy", ()), ("nrrd", ()), ("vti", ()), ("raw", ()),
-                                   ("vox", ()), ("npz", BY_TILES),
-                                   ("npz", (*BY_TILES, "-t", "1"))):
+                                   ("vox", ()), ("npz", BY_TILES), ("npz", (*BY_TILES, "-t", "1"))):
                     path, found = self.voxelize(mesh, *grid, "--fill", fill, "--labels", *more, ending="." + word)
                     self.assertTrue(np.array_equal(readers.read(path, size, "labels")[0], truth), (word, fill, more))
                     self.assertEqual([found[key] for key in ("fill", "cells", "occupied", "inside")],
@@ -234,8 +233,7 @@ class Ids(Voxels):
         self.assertEqual((truth >= 0).sum(), inside.sum())
         self.assertTrue(np.array_equal(truth[k[inside], j[inside], i[inside]], stored["ids"][inside]))
         self.fail_with(1, "the ids of .* cells take .* of memory in this format and .* are available; write .npz or .vdb",
-                       "voxelize", mesh, *IDS[:-1],
-                       "20000,4000,200", "--ids", "-o", self.path("x.raw"))
+                       "voxelize", mesh, *IDS[:-1], "20000,4000,200", "--ids", "-o", self.path("x.raw"))
 
 
 del Voxels  # whose own tests are of another script

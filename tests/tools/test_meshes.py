@@ -345,9 +345,8 @@ class Bad(harness.TestCase):
     def test_part_is_damaged(self):
         mesh = self.write("scene.gltf", "{}")
         self.write("tribox_assimp.so", "no library\n")
-        self.fail_with(1, "scene.gltf: not a PLY, .* file, and what reads others cannot be loaded: .*tribox_assimp.so",
-                       "overlap", mesh, "--box", UNIT_BOX,
-                       env={"LD_LIBRARY_PATH": self.folder})
+        self.fail_with(1, "scene.gltf: not a PLY, .* file, and what reads others cannot be loaded: .*tribox_assimp.so", "overlap",
+                       mesh, "--box", UNIT_BOX, env={"LD_LIBRARY_PATH": self.folder})
 
     def test_cut(self):
         """At every place that a reader could stumble over; the last byte of a text is a line end, without which it is whole."""

@@ -470,9 +470,8 @@ class Streams(Overlap):
         cut("stl", b"", "the file is empty.*")
         cut("f32", b"", "contains no triangles.*")
         cut("stl", bytes(84), "contains no triangles.*", "--json", "--list")
-        self.fail_with(1, "stdin: truncated: %d triangles were read" % BLOCK,
-                       "overlap", "-", "--format", "f32", "--box", "0,0,0,0,0,0", "--list",
-                       stdin=bytes(36 * BLOCK + 1), stdout_is="".join("%d\n" % i for i in range(BLOCK)))
+        self.fail_with(1, "stdin: truncated: %d triangles were read" % BLOCK, "overlap", "-", "--format", "f32", "--box",
+                       "0,0,0,0,0,0", "--list", stdin=bytes(36 * BLOCK + 1), stdout_is="".join("%d\n" % i for i in range(BLOCK)))
 
     def test_read_error(self):
         for form in ("stl", "f32"):
