@@ -78,22 +78,19 @@ The library is the one in the wheel, or else the installed libtribox.so.1; the e
 Everything is typed; tribox.TrianglesLike is the type of what can be passed as triangles.
 """
 
-from ._around import grid_around
 from ._boxes import OrientedBox
 from ._bricks import Bricks, bricks
 from ._cells import CellLists, cell_lists
-from ._crop import Cropped, crop
 from ._errors import BadIndexError, Error, InputError, InputTypeError
-from ._fill import OpenMeshWarning
-from ._grids import Grid
+from ._grids import Grid, grid_around
 from ._index import Index
 from ._library import VERSION, kernel_name, kernels, lib
 from ._masks import mask_indices
-from ._overlap import classify, find, overlap, overlap_all, overlap_any, overlap_boxes, overlap_oriented, split
+from ._overlap import Cropped, classify, crop, find, overlap, overlap_all, overlap_any, overlap_boxes, overlap_oriented, split
 from ._tiles import tile_count
 from ._triangles import Mesh, Soup
 from ._typing import TrianglesLike as TrianglesLike
-from ._voxelize import voxelize
+from ._voxelize import OpenMeshWarning, voxelize
 from ._voxels import Voxels
 
 AXES_BOX, AXES_PLANE, AXES_EDGES = lib.TRIBOX_AXES_BOX, lib.TRIBOX_AXES_PLANE, lib.TRIBOX_AXES_EDGES

@@ -7,10 +7,9 @@ from typing import Any, Iterator
 
 import numpy as np
 
-from ._arguments import three, three_times_three
+from ._arguments import DOUBLE, FLOAT, address_of, numbers, three, three_times_three
 from ._errors import InputError, shown
 from ._ffi import ffi
-from ._numbers import DOUBLE, FLOAT, address_of, numbers
 from ._typing import Frame, Vector
 
 BOX, BOXES, ORIENTED = ffi.typeof("tribox_box *"), ffi.typeof("tribox_box[]"), ffi.typeof("tribox_oriented_box *")

@@ -11,16 +11,14 @@ from typing import Optional, SupportsIndex, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._around import grid_given
 from ._arguments import options_of, range_of
-from ._files import save_bricks
-from ._grids import Grid
-from ._ids import bits_of_bricks, brick_ids, cells_of_ids, check_ids, set_with_ids
-from ._load import load_bricks
+from ._files import load_bricks, save_bricks
+from ._grids import Grid, grid_given
 from ._masks import BYTE, WORD, bools, row_words
 from ._overlap import ALL
 from ._threads import in_threads, threads_of
-from ._tiles import NUMBER, Listed, Tiling, Workshop, set_padded_tile, side_of
+from ._tiles import (NUMBER, Listed, Tiling, Workshop, bits_of_bricks, brick_ids, cells_of_ids, check_ids, set_padded_tile,
+                     set_with_ids, side_of)
 from ._triangles import held
 from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
 from ._voxels import middles

@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _c
-from ._around import grid_given
 from ._arguments import check, options_of
 from ._errors import InputError
 from ._ffi import ffi
-from ._grids import Grid, struct_of
+from ._grids import Grid, grid_given, struct_of
 from ._library import lib
 from ._overlap import ALL, overlap
 from ._threads import in_threads, threads_of

@@ -7,13 +7,88 @@ from typing import Any, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._bounds import extent
+from ._arguments import DOUBLE, FLOAT, address_of, array_of, check_floats, first_of, numbers, place_of
 from ._errors import BadIndexError, InputError, InputTypeError, check_indices, error_of
 from ._ffi import ffi
 from ._library import lib
-from ._meshes import parts_of
-from ._numbers import DOUBLE, FLOAT, address_of, array_of, check_floats, first_of, numbers, place_of
 from ._typing import MeshLike, TrianglesLike
+
+
+def bounds_of(held_):
+    """The least and the greatest x, y, z of all triangles that are finite; None if there is none."""
+    if held_.is_soup:
+        streams = [stream for axis in held_.streams for stream in axis]
+        is_used = np.logical_and.reduce([np.isfinite(stream) for stream in streams])
+        if not is_used.any():
+            return None
+        used = [[stream[is_used] for stream in axis] for axis in held_.streams]
+        return [[float(min(map(np.min, axis))) for axis in used], [float(max(map(np.max, axis))) for axis in used]]
+    points, is_finite = held_.vertices, np.isfinite(held_.vertices)
+    if held_.faces is None:
+        is_used = np.repeat(is_finite.all((1, 2)), 3)
+        points = points.reshape(-1, 3)
+    else:
+        check_indices(held_)
+        is_used, faces = np.zeros(len(points), bool), held_.faces
+        is_used[faces[is_finite.all(1)[faces].all(1)]] = True
+    if not is_used.any():
+        return None
+    points = points if is_used.all() else points[is_used]
+    return [points.min(0).tolist(), points.max(0).tolist()]
+
+
+def point(numbers):
+    """As it looks in a repr."""
+    return f"({', '.join(format(number, '.7g') for number in numbers)})"
+
+
+def extent(held_):
+    """Their bounds, for a repr, which raises nothing."""
+    try:
+        bounds = bounds_of(held_)
+    except BadIndexError:
+        return "with wrong indices"
+    return "without bounds" if bounds is None else f"from {point(bounds[0])} to {point(bounds[1])}"
+
+
+NO_AREA = "vertex", "line"  # cells that no box is asked about
+
+
+def as_they_are(mesh, faces):
+    return faces
+
+
+def of_blocks(mesh, cells):
+    """The triangles of meshio, whose cells come by kind."""
+    others = [kind for kind in cells if kind != "triangle" and kind not in NO_AREA]
+    if others:
+        raise InputError(f"triangles has cells of kind {', '.join(map(repr, others))}; make triangles of them, or give "
+                         'tribox.Mesh(mesh.points, mesh.cells_dict["triangle"]) for those that are triangles alone')
+    return cells.get("triangle", np.empty((0, 3), np.uint32))
+
+
+def of_polygons(mesh, faces):
+    """The triangles of PyVista, where each face is the number of its vertices and then these."""
+    faces = np.asarray(faces)
+    if faces.ndim != 1:
+        return faces
+    if faces.size % 4 or (faces[::4] != 3).any() or getattr(mesh, "n_strips", 0):
+        raise InputError("triangles has faces that are no triangles, or strips; give mesh.triangulate()")
+    return faces.reshape(-1, 4)[:, 1:]
+
+
+# trimesh, Open3D, meshio, PyVista, and whatever is like them.
+FORMS = (("vertices", "faces", as_they_are), ("vertices", "triangles", as_they_are), ("points", "cells_dict", of_blocks),
+         ("points", "faces", of_polygons))
+
+
+def parts_of(mesh):
+    """(name, vertices, name, faces) of a mesh; None if it is none."""
+    for vertices, faces, triangles_of in FORMS:
+        if hasattr(mesh, vertices) and hasattr(mesh, faces):
+            return vertices, getattr(mesh, vertices), faces, triangles_of(mesh, getattr(mesh, faces))
+    return None
+
 
 INDEX = np.dtype(np.uint32)
 INDEX_BYTES = {np.dtype(np.uint16): 2, INDEX: 4, np.dtype(np.int32): 4}

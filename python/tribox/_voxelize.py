@@ -1,24 +1,98 @@
-"""Triangles into the cells of a grid."""
+"""Triangles into the cells of a grid, and what they enclose."""
 
 from __future__ import annotations
 
+import mmap
+import warnings
 from typing import Optional, SupportsIndex
 
+import numpy as np
+
 from . import _c
-from ._around import grid_given
-from ._arguments import options_of, range_of
+from ._arguments import check, meaning, options_of, range_of
 from ._errors import InputError, InputTypeError, shown
-from ._fill import fill_middles, fill_of, filled
-from ._grids import struct_of
-from ._ids import check_ids, window_ids
-from ._masks import row_words
+from ._ffi import ffi
+from ._grids import grid_given, struct_of
+from ._library import lib
+from ._masks import WORD, pointer_to, row_words
 from ._overlap import ALL, check_answer
-from ._pages import new_words
 from ._sharing import Task
 from ._threads import threads_of
+from ._tiles import check_ids, window_ids
 from ._triangles import held
 from ._typing import Accuracy, Cell, Fill, GridLike, Range, TrianglesLike, Window
 from ._voxels import Voxels, window_of
+
+LARGE_PAGE = 1 << 21
+# From here on malloc of glibc takes fresh pages for every array, and gives them back. Less is mostly used again, and clearing it
+# takes less than fresh pages, which NumPy asks to be large, too.
+MAPPED = 1 << 25
+CAN_MAP = hasattr(mmap, "MADV_HUGEPAGE")
+
+
+def mapped(count):
+    """So many words of fresh pages, which are clear. They are given back with the last array that looks at them."""
+    octets = -(-8 * count // LARGE_PAGE) * LARGE_PAGE
+    try:
+        pages = mmap.mmap(-1, octets + LARGE_PAGE, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+    except OSError as error:
+        raise MemoryError(f"no memory for {octets} bytes of cells") from error
+    words = np.frombuffer(pages, WORD)
+    start = -words.ctypes.data % LARGE_PAGE
+    try:
+        pages.madvise(mmap.MADV_HUGEPAGE, start, octets)
+    except OSError:  # a system without them: it is slower and no other
+        pass
+    return words[start // 8:start // 8 + count]
+
+
+def new_words(shape):
+    """(words, whether they are clear): others are to be cleared by who writes them."""
+    count = shape[0] * shape[1] * shape[2]
+    if CAN_MAP and 8 * count >= MAPPED:
+        return mapped(count).reshape(shape), True
+    return np.empty(shape, WORD), False
+
+
+class OpenMeshWarning(UserWarning):
+    """A mesh is certainly not closed, so its inside is not well defined."""
+
+
+def fill_outside(held_, grid, words, scratch, solid):
+    check(lib.tribox_fill_outside(tuple(grid.size), words, scratch, solid, ffi.NULL))
+
+
+def fill_parity(held_, grid, words, scratch, solid, is_of_middles=False):
+    odd = ffi.new("size_t *")
+    check(_c.fill_parity(held_, grid, words, scratch, solid, ffi.NULL, odd))
+    if odd[0]:
+        warnings.warn(f"the mesh is not closed: {odd[0]} of {grid.size[1] * grid.size[2]} rows of cells cross it an odd number of "
+                      'times, and are filled to their end; fill="outside" asks nothing of a mesh but that no hole is larger than a '
+                      "cell", OpenMeshWarning, stacklevel=5 if is_of_middles else 4)
+
+
+def fill_middles(*arguments):
+    """Parity of the middles: the words have no surface."""
+    fill_parity(*arguments, is_of_middles=True)
+
+
+FILLS = {"outside": fill_outside, "parity": fill_parity, "middles": fill_middles}
+
+
+def fill_of(word):
+    """The call that a word stands for, or None."""
+    call = meaning(word, FILLS)
+    if call is None and word is not None:
+        raise InputError(f"fill = {shown(word)}; give None or one of {', '.join(map(repr, FILLS))}")
+    return call
+
+
+def filled(call, held_, grid, words):
+    """The cells of a surface and those inside."""
+    solid, scratch = np.empty_like(words), np.empty(lib.tribox_fill_bytes(tuple(grid.size)), np.uint8)
+    call(held_, grid, pointer_to(words), ffi.from_buffer(scratch), pointer_to(solid))
+    return solid
+
 
 WORDS_MAX = 1 << 31  # of one call
 

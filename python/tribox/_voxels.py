@@ -16,7 +16,7 @@ from ._files import save_voxels
 from ._grids import SIZE_MAX, Grid
 from ._library import lib
 from ._masks import BOOL, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
-from ._bounds import point
+from ._triangles import point
 from ._typing import Window
 
 

@@ -11,7 +11,7 @@ from unittest import mock
 
 import numpy as np
 import tribox
-from tribox import _index, _layers, _order, _pages, _sharing
+from tribox import _index, _sharing, _voxelize
 from tribox._threads import in_threads
 
 import cases
@@ -102,7 +102,7 @@ class Sharing(cases.TestCase):
         slabs, shares = dict(START=0, CELLS=1e9, JOIN=1e12), dict(START=0, CELLS=1e9, JOIN=0)
         copies = dict(COPIED_COUNTS=range(1 << 22), COPIED_AT_ONCE=7, FEW=0)
         for way, mapped in ({}, 1 << 25), (slabs, 1 << 25), (slabs, 0), (shares, 0), ({**slabs, **copies}, 1 << 25):
-            with mock.patch.multiple(_sharing, processors=lambda: 64, **way), mock.patch.object(_pages, "MAPPED", mapped):
+            with mock.patch.multiple(_sharing, processors=lambda: 64, **way), mock.patch.object(_voxelize, "MAPPED", mapped):
                 yield way
 
     def test_threads(self):
@@ -156,12 +156,12 @@ class Sharing(cases.TestCase):
             grid = tribox.Grid((0, 0, 0), 1, (64, 64, 40))
             for size in grid.size, (64, 64, 1), (3, 5, 40):
                 for parts in (1, 2, 3, 50):
-                    work = _layers.LayersWork(tribox._triangles.held(triangles), grid, (0, 0, 0), size, tribox.AXES_ALL, 100)
+                    work = _sharing.LayersWork(tribox._triangles.held(triangles), grid, (0, 0, 0), size, tribox.AXES_ALL, 100)
                     cuts = work.cut(parts)
                     self.assertEqual([k for low, high in cuts for k in range(low, high)], list(range(size[2])))
                     self.assertLessEqual(len(cuts), parts)
         many = tribox.Mesh(np.resize(high, (5000, 3, 3)))
-        halves = _layers.LayersWork(many, grid, (0, 0, 0), grid.size, tribox.AXES_ALL, 100).cut(2)
+        halves = _sharing.LayersWork(many, grid, (0, 0, 0), grid.size, tribox.AXES_ALL, 100).cut(2)
         self.assertIn(halves[0][1], (30, 31))
 
     def test_bad_indices_by_threads(self):
@@ -182,9 +182,9 @@ class Sharing(cases.TestCase):
 
         before = mapped()
         for _ in range(3):
-            words, are_clear = _pages.new_words((1, 1 << 12, 1 << 14))
+            words, are_clear = _voxelize.new_words((1, 1 << 12, 1 << 14))
             self.assertTrue(are_clear)
-            self.assertTrue(not words.any() and words.flags.writeable and not words.ctypes.data % _pages.LARGE_PAGE)
+            self.assertTrue(not words.any() and words.flags.writeable and not words.ctypes.data % _voxelize.LARGE_PAGE)
             part = words[0, -1, :]
             del words
             part[-1] = 1
@@ -212,7 +212,7 @@ class Sharing(cases.TestCase):
 
     def test_index(self):
         """The same bytes, whatever the number of threads, on both sides of where they share; wrong indices are named."""
-        for count in (0, 100, _order.SHARED_LEAST - 1, _order.SHARED_LEAST, 5 * tribox._library.lib.TRIBOX_INDEX_BLOCK + 1):
+        for count in (0, 100, _index.SHARED_LEAST - 1, _index.SHARED_LEAST, 5 * tribox._library.lib.TRIBOX_INDEX_BLOCK + 1):
             triangles = np.resize(cases.lattice(500), (count, 3, 3)) + np.arange(count, dtype=np.float32)[:, None, None] % 97
             faces = np.arange(3 * count).reshape(-1, 3)
             for form in triangles, tribox.Soup.of(triangles), tribox.Mesh(triangles.reshape(-1, 3), faces), triangles.astype(float):
@@ -224,7 +224,7 @@ class Sharing(cases.TestCase):
                         np.testing.assert_array_equal(index._nodes, one._nodes)
                         np.testing.assert_array_equal(index.list((-2,) * 3, (2,) * 3), one.list((-2,) * 3, (2,) * 3))
                         np.testing.assert_array_equal(index._ids, one._ids)
-        faces = np.zeros((2 * _order.SHARED_LEAST, 3), np.uint32)
+        faces = np.zeros((2 * _index.SHARED_LEAST, 3), np.uint32)
         faces[-1, 1] = 9
         for keep_order in (False, True):
             self.refuse(tribox.BadIndexError, "BAD_VERTEX", rf"faces\[{len(faces) - 1}, 1\] is 9", tribox.Index,
