@@ -11,7 +11,7 @@
 #include "console/memory.h"
 #include "console/message.h"
 #include "console/output.h"
-#include "tile_runs.h"
+#include "tile_sort.h"
 #include "voxelize/tile_set.h"
 #include "voxelize/voxelize_report.h"
 
@@ -49,8 +49,7 @@ static void fill_header(partition_answer *a, uint32_t tile, unsigned position_by
 
 static int write_runs(partition_answer *a, const tile_runs *runs, folder_out *out)
 {
-    a->spilled = runs->spilled;
-    return tile_write(out, runs, a->r->threads, a->r->is_quiet, &a->header);
+    return tile_write(out, runs, a->r->threads, a->r->is_quiet, &a->header, &a->spilled);
 }
 
 static int refuse_none(const partition_request *r)
@@ -58,7 +57,7 @@ static int refuse_none(const partition_request *r)
     return message_failure("%s: none of %s triangles has finite coordinates", name_of(r), r->count == 1 ? "its" : "their");
 }
 
-static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, folder_out *out)
+static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, uint32_t side, folder_out *out)
 {
     tally found;
     int code = tile_sort(runs, all, a->r->threads, a->r->is_quiet, out, &found);
@@ -67,21 +66,21 @@ static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, 
     mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
     if (found.not_finite == found.triangles)
         return refuse_none(a->r);
-    fill_header(a, runs->tile, all->write_bytes, &found);
+    fill_header(a, side, all->write_bytes, &found);
     return write_runs(a, runs, out);
 }
 
 static int sort_pieces(partition_answer *a, const pieces *all, folder_out *out)
 {
-    tile_runs runs;
     const bool has_ids = a->r->has_ids;
     const uint32_t side = tile_set_side(a->cells.grid.size, has_ids);
     if (!side)
         return tile_set_refuse_size(a->cells.grid.size);
-    int code = tile_runs_start(&runs, &a->cells.grid, side, has_ids, all->blocks, memory_of(a->r));
-    if (!code)
-        code = sort_blocks(a, all, &runs, out);
-    tile_runs_free(&runs);
+    tile_runs *const runs = tile_runs_make(&a->cells.grid, side, has_ids, all->blocks, memory_of(a->r));
+    if (!runs)
+        return EXIT_CODE_FAILURE;
+    const int code = sort_blocks(a, all, runs, side, out);
+    tile_runs_free(runs);
     return code;
 }
 
@@ -115,7 +114,7 @@ static int survey(partition_answer *a, pieces *all)
 static int work_on_pieces(partition_answer *a, pieces *all)
 {
     folder_out out;
-    pieces_divide(all, tile_runs_block(all, memory_of(a->r), a->r->threads));
+    pieces_divide(all, tile_sort_block(all, memory_of(a->r), a->r->threads));
     int code = a->r->has_ids ? partition_check_numbers(name_of(a->r), all->triangles) : EXIT_CODE_OK;
     if (!code)
         code = survey(a, all);
@@ -143,16 +142,16 @@ static int work_on_meshes(partition_answer *a)
 
 static int join(partition_answer *a, const partition *those, folder_out *out)
 {
-    tile_runs runs;
     uint64_t before = 0;
-    int code = tile_runs_start(&runs, &a->cells.grid, a->header.tile, a->header.number_bytes, a->r->count, memory_of(a->r));
-    for (size_t i = 0; i < a->r->count && !code; i++) {
-        tile_runs_take(&runs, i, &those[i], before);
+    tile_runs *const runs = tile_runs_make(&a->cells.grid, a->header.tile, a->header.number_bytes, a->r->count, memory_of(a->r));
+    if (!runs)
+        return EXIT_CODE_FAILURE;
+    for (size_t i = 0; i < a->r->count; i++) {
+        tile_runs_take(runs, i, &those[i], before);
         before += those[i].header.triangles;
     }
-    if (!code)
-        code = write_runs(a, &runs, out);
-    tile_runs_free(&runs);
+    const int code = write_runs(a, runs, out);
+    tile_runs_free(runs);
     return code ? code : folder_out_keep(out);
 }
 

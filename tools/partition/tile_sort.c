@@ -1,21 +1,181 @@
-/* tile_sort.c - threads take blocks of triangles, look at them, ask the library for their tiles, and gather them by tile. */
+/*
+ * tile_sort.c - threads take blocks of triangles, look at them, ask the library for their tiles, and make a run of each, which stays in
+ * memory as long as there is some and then goes into a nameless file; others take a few tiles at a time, copy what each run has of them
+ * to its place in a file; then comes the index.
+ */
 #define _POSIX_C_SOURCE 200809L
+#include "tile_sort.h"
+
 #include <errno.h>
+#include <inttypes.h>
 #include <math.h>
-#include <pthread.h>
+#include <stdatomic.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console/crew.h"
 #include "console/message.h"
 #include "console/progress.h"
-#include "tile_runs.h"
+#include "files/file_map.h"
+#include "files/named_file.h"
 #include "voxelize/tile_work.h"
 #include "write/part.h"
 
 enum { NUMBERS = 9 };
 
-size_t tile_runs_block(const pieces *all, uint64_t memory, unsigned threads)
+static const char no_table[] = "out of memory for the table of tiles";
+
+/* ------------------------------------------------------------------------------------------------------------------------- runs */
+
+/* Of one thread. The tiles are apart, as they are looked at over and over: pages of a map among triangles would be dear. */
+typedef struct run_file {
+    FILE *tiles, *rest; /* rest: triangles of a run, then their numbers; NULL: there is no file yet */
+    uint64_t tiles_written, rest_written;
+    file_map map; /* of the tiles */
+} run_file;
+
+/* Triangles as they are in a partition: by rising tile, those of a tile in the order of the mesh. */
+typedef struct tile_run {
+    const partition_tile *tiles; /* whose work is without what a tile costs by itself, and whose checksum is not set */
+    size_t count;
+    uint64_t places;                /* triangles */
+    const unsigned char *triangles; /* NULL in a file */
+    const uint32_t *numbers;        /* of these triangles; NULL where there are none, and in a file */
+    uint64_t before;                /* what is added to them */
+    unsigned position_bytes;
+    const partition *from; /* NULL, or a partition whose run this is, with work and checksums as there */
+    void *room;            /* NULL, or what tiles and triangles lie in */
+    run_file *file;        /* else the file, and where in it */
+    uint64_t tiles_at, triangles_at;
+} tile_run;
+
+struct tile_runs {
+    const tribox_grid *grid;
+    uint32_t tile; /* cells along a side */
+    size_t tiles;  /* of the grid */
+    bool has_numbers;
+    uint64_t memory; /* bytes that runs, and what it takes to make and to write them, may take */
+    tile_run *runs;
+    size_t count;
+    uint64_t *counts; /* triangles of each tile */
+    uint64_t *work;   /* of each tile, without what it costs by itself */
+    run_file *files;  /* one for each thread */
+    uint64_t spilled; /* bytes */
+};
+
+tile_runs *tile_runs_make(const tribox_grid *grid, uint32_t tile, bool has_numbers, size_t count, uint64_t memory)
+{
+    const size_t tiles = tribox_tile_count(grid->size, tile);
+    tile_runs *const r = malloc(sizeof *r);
+    if (!r)
+        return message_failure(no_table), NULL;
+    *r = (tile_runs){.grid = grid, .tile = tile, .tiles = tiles, .has_numbers = has_numbers, .count = count, .memory = memory};
+    r->runs = calloc(count ? count : 1, sizeof *r->runs);
+    r->counts = calloc(r->tiles, sizeof *r->counts);
+    r->work = calloc(r->tiles, sizeof *r->work);
+    r->files = calloc(THREADS_MAX, sizeof *r->files);
+    if (r->runs && r->counts && r->work && r->files)
+        return r;
+    tile_runs_free(r);
+    return message_failure(no_table), NULL;
+}
+
+void tile_runs_free(tile_runs *r)
+{
+    for (size_t i = 0; r->runs && i < r->count; i++)
+        free(r->runs[i].room);
+    for (int f = 0; r->files && f < THREADS_MAX; f++) {
+        file_map_close(&r->files[f].map);
+        if (r->files[f].rest)
+            fclose(r->files[f].rest);
+        if (r->files[f].tiles)
+            fclose(r->files[f].tiles);
+    }
+    free(r->files);
+    free(r->runs);
+    free(r->counts);
+    free(r->work);
+    free(r);
+}
+
+/* How many triangles of a run are in its tile i. */
+static uint64_t count_of(const tile_run *run, size_t i)
+{
+    return (i + 1 < run->count ? run->tiles[i + 1].first : run->places) - run->tiles[i].first;
+}
+
+static void add_run(tile_runs *r, size_t number, const tile_run *run)
+{
+    const uint64_t beside = run->from ? TILE_WORK : 0;
+    r->runs[number] = *run;
+    for (size_t i = 0; i < run->count; i++) {
+        const partition_tile *const tile = &run->tiles[i];
+        r->counts[tile->tile] += count_of(run, i);
+        r->work[tile->tile] += tile->work > beside ? tile->work - beside : 0;
+    }
+}
+
+void tile_runs_take(tile_runs *r, size_t number, const partition *p, uint64_t before)
+{
+    const tile_run run = {.tiles = p->tiles,
+                          .count = (size_t)p->header.records,
+                          .places = p->header.places,
+                          .triangles = p->triangles.bytes,
+                          .numbers = p->header.number_bytes ? p->numbers.bytes : NULL,
+                          .before = before,
+                          .position_bytes = p->header.position_bytes,
+                          .from = p};
+    add_run(r, number, &run);
+}
+
+static FILE *open_stream(const folder_out *out)
+{
+    FILE *const stream = folder_out_spill(out);
+    if (stream)
+        setvbuf(stream, NULL, _IONBF, 0);
+    return stream;
+}
+
+/* Puts a run into the file, which is made in the folder if it is not there yet. False with errno. */
+static bool put_run(run_file *file, const folder_out *out, tile_run *run)
+{
+    const size_t places = (size_t)run->places, tiles = run->count * sizeof *run->tiles;
+    const size_t triangles = places * NUMBERS * run->position_bytes, numbers = run->numbers ? places * sizeof *run->numbers : 0;
+    if (!file->tiles)
+        file->tiles = open_stream(out);
+    if (file->tiles && !file->rest)
+        file->rest = open_stream(out);
+    if (!file->rest)
+        return false;
+    errno = 0;
+    run->file = file;
+    run->tiles_at = file->tiles_written;
+    run->triangles_at = file->rest_written;
+    file->tiles_written += tiles;
+    file->rest_written += triangles + numbers;
+    return fwrite(run->tiles, 1, tiles, file->tiles) == tiles && fwrite(run->triangles, 1, triangles, file->rest) == triangles &&
+           (!numbers || fwrite(run->numbers, 1, numbers, file->rest) == numbers);
+}
+
+/* Once all are there. The room that a run had has gone. */
+static int map_files(tile_runs *r, const folder_out *out)
+{
+    for (int f = 0; f < THREADS_MAX; f++)
+        if (r->files[f].rest && !file_map_of_stream(&r->files[f].map, r->files[f].tiles))
+            return message_failure("%s: cannot map what was written beside it", out->path);
+    for (size_t i = 0; i < r->count; i++)
+        if (r->runs[i].file) {
+            r->runs[i].tiles = (const void *)((const unsigned char *)r->runs[i].file->map.bytes + r->runs[i].tiles_at);
+            r->runs[i].triangles = NULL;
+            r->runs[i].numbers = NULL;
+        }
+    return EXIT_CODE_OK;
+}
+
+/* ---------------------------------------------------------------------------------------------------------------------- sorting */
+
+size_t tile_sort_block(const pieces *all, uint64_t memory, unsigned threads)
 {
     enum { LEAST = 64, MOST = 1 << 18, BESIDE = 28 }; /* bytes of lists, entries and numbers a triangle */
     const uint64_t each = pieces_room(all) + 9 * all->read_bytes + BESIDE, block = memory / 4 / threads / each;
@@ -91,16 +251,18 @@ typedef struct sorting {
     const pieces *all;
     folder_out *out;
     progress bar;
-    pthread_mutex_t lock; /* of what follows */
-    size_t next;          /* block */
-    uint64_t kept;        /* bytes of runs in memory */
+    size_t threads;              /* that have begun */
+    atomic_uint_fast64_t in_use; /* bytes of runs in memory */
     tally found;
-    int code; /* of the first failure, which ends the work */
+    int code; /* of the first failure, whose line was said */
 } sorting;
+
+typedef enum trouble { NO_TROUBLE, TROUBLE_MEMORY, TROUBLE_READ, TROUBLE_WRITE, TROUBLE_STATUS } trouble;
 
 /* What a thread works on. */
 typedef struct block_sort {
     sorting *s;
+    run_file *file;  /* for runs that memory does not hold */
     void *positions; /* of the block, nine numbers a triangle */
     size_t *starts;  /* of the lists of the tiles that the block may be in */
     uint32_t *list;  /* as long as was needed until now */
@@ -108,34 +270,11 @@ typedef struct block_sort {
     uint32_t *share;  /* of each triangle: in how many tiles it is, then its work in each */
     tile_run run;     /* the last */
     size_t run_bytes; /* of its room */
+    piece_block block;
+    tally found;
+    trouble trouble;
+    int reason; /* errno, or a status */
 } block_sort;
-
-typedef enum trouble { TROUBLE_MEMORY, TROUBLE_READ, TROUBLE_WRITE, TROUBLE_STATUS } trouble;
-
-/* Says it where it is the first. reason: errno, or a status. */
-static void fail(sorting *s, trouble what, int reason, const piece *unread)
-{
-    pthread_mutex_lock(&s->lock);
-    if (!s->code) {
-        progress_end(&s->bar);
-        s->code = what == TROUBLE_READ     ? pieces_refuse(unread, reason)
-                  : what == TROUBLE_WRITE  ? folder_out_failure(s->out, reason)
-                  : what == TROUBLE_STATUS ? message_status((tribox_status)reason)
-                  : s->runs ? message_failure("out of memory to sort the triangles; give less with --memory, or fewer --threads")
-                            : message_failure("out of memory to read the mesh");
-    }
-    pthread_mutex_unlock(&s->lock);
-}
-
-static bool take_block(sorting *s, piece_block *block, size_t *number)
-{
-    pthread_mutex_lock(&s->lock);
-    const bool is_left = s->next < s->all->blocks && !s->code;
-    if (is_left)
-        *block = pieces_block(s->all, *number = s->next++);
-    pthread_mutex_unlock(&s->lock);
-    return is_left;
-}
 
 /* The layers of tiles along z that bounds may be in, with one to spare on both sides. */
 static void find_layers(const tribox_grid *grid, uint32_t side, const tribox_box *bounds, double layer[2])
@@ -245,127 +384,406 @@ static tribox_status make_run(block_sort *b, const tribox_tiles *tiles, uint64_t
     return TRIBOX_OK;
 }
 
-static void add_run(tile_runs *r, const tile_run *run)
-{
-    const uint64_t beside = run->from ? TILE_WORK : 0;
-    for (size_t i = 0; i < run->count; i++) {
-        const partition_tile *const tile = &run->tiles[i];
-        r->counts[tile->tile] += tile_run_count(run, i);
-        r->work[tile->tile] += tile->work > beside ? tile->work - beside : 0;
-    }
-}
-
-/* Whether the run stays in memory. */
-static bool keep(sorting *s, const block_sort *b, size_t number, const tally *found)
-{
-    tile_runs *const r = s->runs;
-    pthread_mutex_lock(&s->lock);
-    const bool is_kept = r && s->kept + b->run_bytes <= r->memory / 2;
-    if (r) {
-        s->kept += is_kept ? b->run_bytes : 0;
-        r->spilled += is_kept ? 0 : b->run_bytes;
-        add_run(r, &b->run);
-        r->runs[number] = b->run;
-    }
-    add_tally(&s->found, found);
-    if (!s->code)
-        progress_tell(&s->bar, (double)s->found.triangles / (double)s->all->triangles);
-    pthread_mutex_unlock(&s->lock);
-    return is_kept;
-}
-
-static void do_block(block_sort *b, const piece_block *block, size_t number, unsigned thread)
+/* Into a file if it is not to stay in memory. */
+static bool place_run(block_sort *b)
 {
     sorting *const s = b->s;
-    if (!pieces_read(s->all, block, b->positions)) {
-        fail(s, TROUBLE_READ, errno, block->from);
-        return;
-    }
-    const tally found = tally_of_block(s->all, block, b->positions, s->runs);
-    tribox_status status = TRIBOX_OK;
-    if (s->runs) {
-        const tribox_tiles tiles = find_tiles(s->runs, &found.bounds);
-        status = list_tiles(b, block->count, &tiles);
-        if (!status)
-            share_work(b, block->count, b->starts[tiles.count]);
-        if (!status)
-            status = make_run(b, &tiles, block->number);
-    }
-    if (status) {
-        fail(s, status == MESSAGE_NO_MEMORY ? TROUBLE_MEMORY : TROUBLE_STATUS, (int)status, NULL);
-    } else if (!keep(s, b, number, &found) && s->runs) {
-        tile_run *const run = &s->runs->runs[number];
-        run->room = NULL;
-        errno = 0;
-        if (!run_file_put(&s->runs->files[thread], s->out, run))
-            fail(s, TROUBLE_WRITE, errno, NULL);
-        free(b->run.room);
-    }
+    if (atomic_fetch_add(&s->in_use, b->run_bytes) + b->run_bytes <= s->runs->memory / 2)
+        return true;
+    atomic_fetch_sub(&s->in_use, b->run_bytes);
+    return put_run(b->file, s->out, &b->run);
 }
 
-static void work(void *data, unsigned thread)
+static trouble sort_block(block_sort *b)
+{
+    sorting *const s = b->s;
+    if (!pieces_read(s->all, &b->block, b->positions))
+        return b->reason = errno, TROUBLE_READ;
+    b->found = tally_of_block(s->all, &b->block, b->positions, s->runs);
+    if (!s->runs)
+        return NO_TROUBLE;
+    const tribox_tiles tiles = find_tiles(s->runs, &b->found.bounds);
+    tribox_status status = list_tiles(b, b->block.count, &tiles);
+    if (!status)
+        share_work(b, b->block.count, b->starts[tiles.count]);
+    if (!status)
+        status = make_run(b, &tiles, b->block.number);
+    if (status)
+        return b->reason = (int)status, status == MESSAGE_NO_MEMORY ? TROUBLE_MEMORY : TROUBLE_STATUS;
+    return place_run(b) ? NO_TROUBLE : (b->reason = errno, TROUBLE_WRITE);
+}
+
+static int sort_step(void *data, void *place, size_t n)
+{
+    const sorting *const s = data;
+    block_sort *const b = place;
+    b->block = pieces_block(s->all, n);
+    b->run = (tile_run){.room = NULL};
+    b->trouble = sort_block(b);
+    return EXIT_CODE_OK; /* the first trouble is told */
+}
+
+static int lack_memory(sorting *s)
+{
+    return s->runs ? message_failure("out of memory to sort the triangles; give less with --memory, or fewer --threads")
+                   : message_failure("out of memory to read the mesh");
+}
+
+static int tell_trouble(sorting *s, const block_sort *b)
+{
+    progress_end(&s->bar);
+    return b->trouble == TROUBLE_READ     ? pieces_refuse(b->block.from, b->reason)
+           : b->trouble == TROUBLE_WRITE  ? folder_out_failure(s->out, b->reason)
+           : b->trouble == TROUBLE_STATUS ? message_status((tribox_status)b->reason)
+                                          : lack_memory(s);
+}
+
+static int tell_block(void *data, void *place, size_t n)
 {
     sorting *const s = data;
-    piece_block block;
-    size_t number;
-    block_sort b = {.s = s, .positions = malloc(s->all->block * pieces_room(s->all))};
-    if (s->runs) {
-        b.share = malloc(s->all->block * sizeof *b.share);
-        b.starts = malloc((s->runs->tiles + 1) * sizeof *b.starts);
+    block_sort *const b = place;
+    void *const room = b->run.room;
+    if (b->trouble && !s->code)
+        s->code = tell_trouble(s, b);
+    if (s->code || b->run.file)
+        b->run.room = NULL;
+    if (!s->code && s->runs) {
+        s->runs->spilled += b->run.file ? b->run_bytes : 0;
+        add_run(s->runs, n, &b->run);
     }
-    if (!b.positions || (s->runs && (!b.share || !b.starts)))
-        fail(s, TROUBLE_MEMORY, 0, NULL);
-    while (take_block(s, &block, &number))
-        do_block(&b, &block, number, thread);
-    free(b.positions);
-    free(b.starts);
-    free(b.list);
-    free(b.share);
-}
-
-static int map_files(tile_runs *r, const folder_out *out)
-{
-    for (int f = 0; f < THREADS_MAX; f++)
-        if (!run_file_map(&r->files[f]))
-            return message_failure("%s: cannot map what was written beside it", out->path);
-    for (size_t i = 0; i < r->count; i++)
-        if (r->runs[i].file)
-            run_file_find(&r->runs[i]);
+    if (!b->run.room)
+        free(room);
+    if (s->code)
+        return s->code;
+    add_tally(&s->found, &b->found);
+    progress_tell(&s->bar, (double)s->found.triangles / (double)s->all->triangles);
     return EXIT_CODE_OK;
 }
 
-static int run(sorting *s, const char *what, unsigned threads, bool is_quiet, tally *found)
+static void free_block(void *place)
 {
+    block_sort *const b = place;
+    free(b->positions);
+    free(b->starts);
+    free(b->list);
+    free(b->share);
+    free(b);
+}
+
+static void *make_block(void *data)
+{
+    sorting *const s = data;
+    block_sort *const b = calloc(1, sizeof *b);
+    if (!b)
+        return NULL;
+    b->s = s;
+    b->positions = malloc(s->all->block * pieces_room(s->all));
+    if (s->runs) {
+        b->file = &s->runs->files[s->threads++];
+        b->share = malloc(s->all->block * sizeof *b->share);
+        b->starts = malloc((s->runs->tiles + 1) * sizeof *b->starts);
+    }
+    if (b->positions && (!s->runs || (b->share && b->starts)))
+        return b;
+    free_block(b);
+    return NULL;
+}
+
+static int walk_blocks(sorting *s, const char *what, unsigned threads, bool is_quiet, tally *found)
+{
+    const crew_work work = {
+        .count = s->all->blocks, .threads = threads, .begin = make_block, .end = free_block, .step = sort_step, .tell = tell_block};
     s->found = tally_of_none();
     s->bar = progress_start_of(what, "triangles", (double)s->all->triangles, !is_quiet);
-    pthread_mutex_init(&s->lock, NULL);
-    crew_run(threads, work, s);
-    pthread_mutex_destroy(&s->lock);
+    const int code = crew_do(&work, s);
     progress_end(&s->bar);
     *found = s->found;
-    return s->code;
+    return code == (int)MESSAGE_NO_MEMORY ? lack_memory(s) : code;
 }
 
 int tile_sort_look(const pieces *all, unsigned threads, bool is_quiet, tally *found)
 {
-    return run(&(sorting){.all = all}, "reading", threads, is_quiet, found);
+    return walk_blocks(&(sorting){.all = all}, "reading", threads, is_quiet, found);
 }
 
 int tile_sort(tile_runs *r, const pieces *all, unsigned threads, bool is_quiet, folder_out *out, tally *found)
 {
-    const int code = run(&(sorting){.runs = r, .all = all, .out = out}, "sorting", threads, is_quiet, found);
+    const int code = walk_blocks(&(sorting){.runs = r, .all = all, .out = out}, "sorting", threads, is_quiet, found);
     return code ? code : map_files(r, out);
 }
 
-void tile_runs_take(tile_runs *r, size_t number, const partition *p, uint64_t before)
+/* ---------------------------------------------------------------------------------------------------------------------- writing */
+
+/* What the threads share. */
+typedef struct writing {
+    folder_out *out;
+    const tile_runs *runs;
+    const partition_header *header;
+    partition_tile *records; /* of the partition that comes to be: their checksums are set */
+    size_t triangle_bytes;   /* there */
+    size_t room;             /* triangles that a thread has in memory, an even number */
+    progress bar;
+    size_t next;   /* record */
+    uint64_t done; /* triangles */
+    int code;      /* of the first failure, whose line was said */
+} writing;
+
+/* What a thread has of some tiles: of all of them, or so much of one that does not fit into the room. */
+typedef struct window {
+    writing *w;
+    size_t from, to;                  /* records */
+    uint64_t start, end;              /* places in the file */
+    unsigned char *bytes, *read;      /* read: for those of a run in a file */
+    uint32_t *numbers, *numbers_read; /* the same of numbers; NULL without */
+    uint64_t *at;                     /* where the next triangle of each record goes */
+    const tile_run *damaged;          /* NULL, or whose tiles are not what was written */
+    int reason;                       /* else errno, of a read or a write that failed */
+} window;
+
+/* Where a record ends is where the next begins, behind all the last. */
+static uint64_t begin_of(const writing *w, size_t r) { return r < w->header->records ? w->records[r].first : w->header->places; }
+
+static bool find_records(void *data, void *place, size_t n)
 {
-    r->runs[number] = (tile_run){.tiles = p->tiles,
-                                 .count = (size_t)p->header.records,
-                                 .places = p->header.places,
-                                 .triangles = p->triangles.bytes,
-                                 .numbers = p->header.number_bytes ? p->numbers.bytes : NULL,
-                                 .before = before,
-                                 .position_bytes = p->header.position_bytes,
-                                 .from = p};
-    add_run(r, &r->runs[number]);
+    writing *const w = data;
+    window *const v = place;
+    (void)n;
+    v->from = v->to = w->next;
+    while (v->to < w->header->records && (v->to == v->from || begin_of(w, v->to + 1) - begin_of(w, v->from) <= w->room))
+        v->to++;
+    w->next = v->to;
+    return v->from < v->to;
+}
+
+static bool read_at(FILE *stream, uint64_t at, size_t size, void *to)
+{
+    size_t got;
+    errno = 0;
+    return named_file_read_at(stream, at, to, size, &got) && got == size;
+}
+
+/* Some triangles of a run and, where they have some, their numbers. */
+typedef struct brought {
+    uint64_t first;
+    const unsigned char *triangles;
+    const uint32_t *numbers;
+} brought;
+
+/* They are read if they are in a file. */
+static bool bring(const window *v, const tile_run *run, uint64_t first, size_t count, brought *b)
+{
+    const size_t bytes = NUMBERS * run->position_bytes;
+    if (run->triangles) {
+        *b = (brought){first, run->triangles + first * bytes, v->numbers ? run->numbers + first : NULL};
+        return true;
+    }
+    const uint64_t numbers_at = run->triangles_at + run->places * bytes + first * sizeof *v->numbers;
+    *b = (brought){first, v->read, v->numbers_read};
+    return read_at(run->file->rest, run->triangles_at + first * bytes, count * bytes, v->read) &&
+           (!v->numbers || read_at(run->file->rest, numbers_at, count * sizeof *v->numbers, v->numbers_read));
+}
+
+/* Those from `first` on, to place `place`: as wide, and counted, as they are to be. */
+static void copy(const window *v, const tile_run *run, const brought *b, uint64_t first, size_t count, uint64_t place)
+{
+    const size_t from = (size_t)(first - b->first), to = (size_t)(place - v->start);
+    partition_copy(v->bytes + to * v->w->triangle_bytes, v->w->header->position_bytes,
+                   b->triangles + from * NUMBERS * run->position_bytes, run->position_bytes, count);
+    for (size_t t = 0; b->numbers && t < count; t++)
+        v->numbers[to + t] = (uint32_t)(run->before + b->numbers[from + t]);
+}
+
+static uint64_t greatest(uint64_t a, uint64_t b) { return a > b ? a : b; }
+static uint64_t smallest(uint64_t a, uint64_t b) { return a < b ? a : b; }
+
+/* What a run has of the window lies there, and is brought, at once. What a partition wrote is looked at before it is copied. */
+static bool copy_run(window *v, const tile_run *run)
+{
+    const partition_tile *const records = v->w->records;
+    const size_t begin = partition_find(run->tiles, run->count, records[v->from].tile);
+    const size_t end = partition_find(run->tiles, run->count, records[v->to - 1].tile + 1);
+    const uint64_t after = end < run->count ? run->tiles[end].first : run->places;
+    brought b = {.triangles = NULL};
+    for (size_t i = begin, r = v->from; i < end; i++) {
+        while (records[r].tile < run->tiles[i].tile)
+            r++;
+        const uint64_t place = v->at[r - v->from], next = place + count_of(run, i);
+        const uint64_t from = greatest(place, v->start), to = smallest(next, v->end);
+        v->at[r - v->from] = next;
+        if (from >= to)
+            continue;
+        if (run->from && from == place && !partition_is_sound(run->from, i)) {
+            v->damaged = run;
+            return false;
+        }
+        const uint64_t first = run->tiles[i].first + (from - place);
+        if (!b.triangles && !bring(v, run, first, (size_t)smallest(after - first, v->end - from), &b))
+            return false;
+        copy(v, run, &b, first, (size_t)(to - from), from);
+    }
+    return true;
+}
+
+/* Checksums of triangles and of their numbers, each going on from one window to the next. */
+typedef struct sums {
+    uint64_t triangles, numbers;
+} sums;
+
+/* But for the end of a tile a window has an even number of triangles, so whole words. */
+static void add_sums(const window *v, sums *s)
+{
+    writing *const w = v->w;
+    for (size_t r = v->from; r < v->to; r++) {
+        const uint64_t first = greatest(begin_of(w, r), v->start), after = smallest(begin_of(w, r + 1), v->end);
+        const size_t from = (size_t)(first - v->start), count = (size_t)(after - first);
+        if (first == w->records[r].first)
+            *s = (sums){CHECKSUM_EMPTY, v->numbers ? CHECKSUM_EMPTY : 0};
+        s->triangles = checksum_bytes(s->triangles, v->bytes + from * w->triangle_bytes, count * w->triangle_bytes);
+        if (v->numbers)
+            s->numbers = checksum_bytes(s->numbers, v->numbers + from, count * sizeof *v->numbers);
+        w->records[r].checksum = s->triangles + s->numbers;
+    }
+}
+
+/* The system takes one write to a file at a time anyway. */
+static bool write_window(window *v, sums *s)
+{
+    const writing *const w = v->w;
+    const size_t count = (size_t)(v->end - v->start), each = w->triangle_bytes, number = sizeof *v->numbers;
+    for (size_t r = v->from; r < v->to; r++)
+        v->at[r - v->from] = w->records[r].first;
+    for (size_t i = 0; i < w->runs->count; i++)
+        if (!copy_run(v, &w->runs->runs[i]))
+            return false;
+    add_sums(v, s);
+    errno = 0;
+    return named_file_write_at(w->out->file[1], v->start * each, v->bytes, count * each) &&
+           (!v->numbers || named_file_write_at(w->out->file[2], v->start * number, v->numbers, count * number));
+}
+
+static int write_step(void *data, void *place, size_t n)
+{
+    const writing *const w = data;
+    window *const v = place;
+    const uint64_t end = begin_of(w, v->to);
+    sums s = {0, 0};
+    bool is_written = true;
+    (void)n;
+    for (v->end = begin_of(w, v->from); is_written && v->end < end;) {
+        v->start = v->end;
+        v->end = smallest(end, v->start + w->room);
+        is_written = write_window(v, &s);
+    }
+    v->reason = is_written ? 0 : errno ? errno : EIO;
+    return EXIT_CODE_OK; /* the first failure is told */
+}
+
+static int tell_window(void *data, void *place, size_t n)
+{
+    writing *const w = data;
+    const window *const v = place;
+    (void)n;
+    if (v->reason && !w->code) {
+        progress_end(&w->bar);
+        w->code = v->damaged ? partition_refuse_triangles(v->damaged->from) : folder_out_failure(w->out, v->reason);
+    }
+    w->done += begin_of(w, v->to) - begin_of(w, v->from);
+    if (!w->code)
+        progress_tell(&w->bar, (double)w->done / (double)w->header->places);
+    return w->code;
+}
+
+static void free_window(void *place)
+{
+    window *const v = place;
+    free(v->bytes);
+    free(v->read);
+    free(v->at);
+    free(v->numbers);
+    free(v->numbers_read);
+    free(v);
+}
+
+static void *make_window(void *data)
+{
+    writing *const w = data;
+    const bool has_numbers = w->header->number_bytes;
+    window *const v = calloc(1, sizeof *v);
+    if (!v)
+        return NULL;
+    v->w = w;
+    v->bytes = malloc(w->room * w->triangle_bytes);
+    v->read = malloc(w->room * w->triangle_bytes);
+    v->at = malloc(w->room * sizeof *v->at);
+    v->numbers = has_numbers ? malloc(w->room * sizeof *v->numbers) : NULL;
+    v->numbers_read = has_numbers ? malloc(w->room * sizeof *v->numbers) : NULL;
+    if (v->bytes && v->read && v->at && (!has_numbers || (v->numbers && v->numbers_read)))
+        return v;
+    free_window(v);
+    return NULL;
+}
+
+/* NULL where there is no memory. */
+static partition_tile *make_records(const tile_runs *runs, partition_header *header)
+{
+    size_t filled = 0, r = 0;
+    for (size_t t = 0; t < runs->tiles; t++)
+        filled += runs->counts[t] != 0;
+    partition_tile *const records = malloc((filled ? filled : 1) * sizeof *records);
+    header->records = filled;
+    header->places = 0;
+    for (size_t t = 0; records && t < runs->tiles; t++)
+        if (runs->counts[t]) {
+            records[r++] = (partition_tile){.tile = t, .first = header->places, .work = TILE_WORK + runs->work[t]};
+            header->places += runs->counts[t];
+        }
+    return records;
+}
+
+static int check_counts(const tile_runs *runs)
+{
+    for (size_t t = 0; t < runs->tiles; t++)
+        if (runs->counts[t] > UINT32_MAX)
+            return message_failure("a tile has %" PRIu64 " triangles, more than 4294967295; choose smaller cells", runs->counts[t]);
+    return EXIT_CODE_OK;
+}
+
+static void write_index(folder_out *out, partition_header *header, const partition_tile *records)
+{
+    header->checksum = checksum_bytes(CHECKSUM_EMPTY, header, offsetof(partition_header, checksum));
+    header->checksum = checksum_bytes(header->checksum, records, (size_t)header->records * sizeof *records);
+    fwrite(header, sizeof *header, 1, out->file[0]);
+    fwrite(records, sizeof *records, (size_t)header->records, out->file[0]);
+}
+
+int tile_write(folder_out *out, const tile_runs *runs, unsigned threads, bool is_quiet, partition_header *header, uint64_t *spilled)
+{
+    enum { LEAST = 64 };
+    const uint64_t each = 2 * (NUMBERS * header->position_bytes + header->number_bytes) + sizeof(uint64_t);
+    const uint64_t most = runs->memory / 4 / threads / each / 2 * 2;
+    writing w = {.out = out, .runs = runs, .header = header, .triangle_bytes = NUMBERS * header->position_bytes};
+    const crew_work work = {.threads = threads,
+                            .begin = make_window,
+                            .end = free_window,
+                            .find = find_records,
+                            .step = write_step,
+                            .tell = tell_window};
+    *spilled = runs->spilled;
+    int code = check_counts(runs);
+    if (code)
+        return code;
+    w.records = make_records(runs, header);
+    if (!w.records)
+        return message_failure(no_table);
+    const uint64_t share = header->places / 4 / threads / 2 * 2, room = share < most ? share : most; /* all have something to do */
+    w.room = room < LEAST ? LEAST : (size_t)room;
+    w.bar = progress_start_of("writing", "triangles", (double)header->places, !is_quiet);
+    code = crew_do(&work, &w);
+    progress_end(&w.bar);
+    if (code == (int)MESSAGE_NO_MEMORY)
+        code = message_failure("out of memory to write the triangles; give less with --memory, or fewer --threads");
+    if (!code)
+        write_index(out, header, w.records);
+    free(w.records);
+    return code;
 }
