@@ -15,7 +15,7 @@ static const char *accuracy_name(tribox_accuracy accuracy)
     return accuracy == TRIBOX_EXACT ? "EXACT" : accuracy == TRIBOX_CONSERVATIVE ? "CONSERVATIVE" : "FAST";
 }
 
-void fail_pair(const origin *where, const pair_f32 *pair, bool answer)
+void fail_pair(const origin *where, const pair_f64 *pair, bool answer)
 {
     const tribox_options *const o = &where->options;
     fprintf(stderr, "%s answers '%s' and is wrong\n", where->function, answer ? "overlaps" : "does not overlap");
@@ -51,9 +51,16 @@ void ask_soup(const tribox_soup *soup, const tribox_box *box, const tribox_optio
     check_answer(status, soup->count, options->accuracy, mask, &report);
 }
 
-void ask_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options, uint64_t *mask)
+void ask_mesh(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options, uint64_t *mask)
 {
     tribox_report report;
-    const tribox_status status = tribox_overlap_boxes((const float *)triangle, boxes, options, mask, &report);
+    const tribox_status status = tribox_mesh_overlap(mesh, box, options, mask, &report);
+    check_answer(status, mesh->count, options->accuracy, mask, &report);
+}
+
+void ask_boxes(const float *triangle, const tribox_boxes *boxes, const tribox_options *options, uint64_t *mask)
+{
+    tribox_report report;
+    const tribox_status status = tribox_overlap_boxes(triangle, boxes, options, mask, &report);
     check_answer(status, boxes->count, options->accuracy, mask, &report);
 }

@@ -20,10 +20,6 @@ unsigned order_digits(int permutation);
 
 static inline bool bit_of(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
 
-/* The triangle of a pair as the library takes it: C has no conversion from float[3][3] to const float[3][3]. */
-typedef const float (*const_triangle)[3];
-static inline const_triangle triangle_of(const pair_f32 *pair) { return pair->u; }
-
 /* Where a wrong answer was given. */
 typedef struct origin {
     const char *scene; /* or the name of the test */
@@ -33,13 +29,14 @@ typedef struct origin {
 } origin;
 
 /* Fails the test at hand: prints where, the pair and its thirteen axes. */
-void fail_pair(const origin *where, const pair_f32 *pair, bool answer);
+void fail_pair(const origin *where, const pair_f64 *pair, bool answer);
 
 /*
  * The library's answers for `count` triangles and one box, and for one triangle and `count` boxes. What holds for every call is
  * checked on the way: the status, the bits past the count and the numbers in the report.
  */
 void ask_soup(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, uint64_t *mask);
-void ask_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options, uint64_t *mask);
+void ask_mesh(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options, uint64_t *mask);
+void ask_boxes(const float *triangle, const tribox_boxes *boxes, const tribox_options *options, uint64_t *mask);
 
 #endif

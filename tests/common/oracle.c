@@ -12,34 +12,22 @@ static int64_t odd_of(double number, int *exponent)
     return digits / (INT64_C(1) << zeros);
 }
 
-oracle_integers oracle_integers_of_numbers(const double number[15])
+oracle_integers oracle_integers_of(const pair_f64 *pair)
 {
     oracle_integers in;
     int exponent[15], unit = INT_MAX, end = INT_MIN;
     for (int k = 0; k < 15; k++) {
-        in.odd[k] = odd_of(number[k], &exponent[k]);
+        in.odd[k] = odd_of(pair_f64_number(pair, k), &exponent[k]);
         if (!in.odd[k])
             continue;
         unit = exponent[k] < unit ? exponent[k] : unit;
-        const int top = ilogb(number[k]) + 1;
+        const int top = ilogb(pair_f64_number(pair, k)) + 1;
         end = top > end ? top : end;
     }
     for (int k = 0; k < 15; k++)
         in.shift[k] = in.odd[k] ? (unsigned long)(exponent[k] - unit) : 0;
     in.bits = end > unit ? end - unit : 0;
     return in;
-}
-
-oracle_integers oracle_integers_of(const pair_f32 *pair)
-{
-    double number[15];
-    for (int a = 0; a < 3; a++) {
-        for (int j = 0; j < 3; j++)
-            number[3 * j + a] = (double)pair->u[j][a];
-        number[9 + a] = (double)pair->box.lo[a];
-        number[12 + a] = (double)pair->box.hi[a];
-    }
-    return oracle_integers_of_numbers(number);
 }
 
 bool oracle_overlaps(oracle_axes truth, unsigned groups)
@@ -50,15 +38,22 @@ bool oracle_overlaps(oracle_axes truth, unsigned groups)
     return !(truth.apart & chosen);
 }
 
-void oracle_explain(FILE *out, const pair_f32 *pair)
+bool oracle_pair_overlaps(const pair_f64 *pair, oracle_axes truth, unsigned groups)
+{
+    return pair_f64_is_finite(pair) && !box_is_empty(&pair->box) && oracle_overlaps(truth, groups);
+}
+
+void oracle_explain(FILE *out, const pair_f64 *pair)
 {
     static const char *const name[ORACLE_AXES] = {"x",          "y",          "z",          "plane",      "x cross f0",
                                                   "x cross f1", "x cross f2", "y cross f0", "y cross f1", "y cross f2",
                                                   "z cross f0", "z cross f1", "z cross f2"};
     for (int j = 0; j < 3; j++)
-        fprintf(out, "  u%d  %a %a %a\n", j, (double)pair->u[j][0], (double)pair->u[j][1], (double)pair->u[j][2]);
-    fprintf(out, "  lo  %a %a %a\n", (double)pair->box.lo[0], (double)pair->box.lo[1], (double)pair->box.lo[2]);
-    fprintf(out, "  hi  %a %a %a\n", (double)pair->box.hi[0], (double)pair->box.hi[1], (double)pair->box.hi[2]);
+        fprintf(out, "  u%d  %a %a %a\n", j, pair->u[j][0], pair->u[j][1], pair->u[j][2]);
+    fprintf(out, "  lo  %a %a %a\n", pair->box.lo[0], pair->box.lo[1], pair->box.lo[2]);
+    fprintf(out, "  hi  %a %a %a\n", pair->box.hi[0], pair->box.hi[1], pair->box.hi[2]);
+    if (!pair_f64_is_finite(pair) || box_is_empty(&pair->box))
+        return;
     const oracle_axes truth = oracle_separating_gmp(pair);
     for (int k = 0; k < ORACLE_AXES; k++)
         fprintf(out, "  %-10s  %s\n", name[k],

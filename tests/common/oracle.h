@@ -4,7 +4,7 @@
  *   oracle_separating   the classical two-sided test: the triangle and the box projected on each of the axes
  *   oracle_clip         no axis at all: the triangle clipped against the six half-spaces of the box
  *
- * Both are for finite triangles and finite boxes with lo <= hi.
+ * Both are for finite triangles and finite boxes with lo <= hi, whose numbers may be any doubles.
  */
 #ifndef TRIBOX_TESTS_ORACLE_H
 #define TRIBOX_TESTS_ORACLE_H
@@ -13,7 +13,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "pair_f32.h"
+#include "pair_f64.h"
 
 /* The number of an axis: 0 to 2 the box normals, 3 the triangle's plane, 4 + 3 * i + j the cross product of e_i and edge j. */
 enum { ORACLE_AXES = 13, ORACLE_PLANE = 3, ORACLE_EDGES = 4 };
@@ -24,19 +24,28 @@ typedef struct oracle_axes {
     unsigned touching; /* they have one end in common, and nothing else */
 } oracle_axes;
 
-oracle_axes oracle_separating(const pair_f32 *pair);
+oracle_axes oracle_separating(const pair_f64 *pair);
 
 /* The same, always in GMP: oracle_separating takes a shorter way for short numbers. */
-oracle_axes oracle_separating_gmp(const pair_f32 *pair);
+oracle_axes oracle_separating_gmp(const pair_f64 *pair);
 
 /* Whether no axis of the chosen groups, a union of TRIBOX_AXES_*, separates. */
 bool oracle_overlaps(oracle_axes truth, unsigned groups);
 
+/* The same of any pair: nothing that is not finite overlaps, nor does the empty box. */
+bool oracle_pair_overlaps(const pair_f64 *pair, oracle_axes truth, unsigned groups);
+
+/*
+ * Whether CONSERVATIVE and FAST may report a pair of doubles that does not overlap: each axis of the groups that separates does so
+ * by less than 2^-47 (F_a m_b + F_b m_a), of the plane 2^-47 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y), and no box normal does.
+ */
+bool oracle_is_near(const pair_f64 *pair, oracle_axes truth, unsigned groups);
+
 /* Whether some point of the triangle lies in the box. */
-bool oracle_clip(const pair_f32 *pair);
+bool oracle_clip(const pair_f64 *pair);
 
 /* The pair in hexadecimal floats, and what each of the thirteen axes says. */
-void oracle_explain(FILE *out, const pair_f32 *pair);
+void oracle_explain(FILE *out, const pair_f64 *pair);
 
 /* The fifteen numbers of a pair as integers of one unit: number k is odd[k] * 2^shift[k] units, below 2^bits. */
 typedef struct oracle_integers {
@@ -45,14 +54,7 @@ typedef struct oracle_integers {
     int bits;
 } oracle_integers;
 
-oracle_integers oracle_integers_of(const pair_f32 *pair);
-
-/* Of any fifteen finite doubles: nine of the triangle by vertex, three of lo, three of hi. */
-oracle_integers oracle_integers_of_numbers(const double number[15]);
-
-/* The answer about them, and the same always in GMP. */
-oracle_axes oracle_separating_integers(const oracle_integers *in);
-oracle_axes oracle_separating_integers_gmp(const oracle_integers *in);
+oracle_integers oracle_integers_of(const pair_f64 *pair);
 
 #if defined(__SIZEOF_INT128__)
 /* The longest sum is the plane's: three products of 3 * bits + 3 bits, and the sign. */

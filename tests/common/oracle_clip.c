@@ -48,7 +48,7 @@ static void prepare(void)
     mpz_init(common);
 }
 
-static void load(const pair_f32 *pair)
+static void load(const pair_f64 *pair)
 {
     const oracle_integers in = oracle_integers_of(pair);
     for (int k = 0; k < 15; k++) {
@@ -120,7 +120,7 @@ static void cut(const polygon *from, polygon *to)
     }
 }
 
-bool oracle_clip(const pair_f32 *pair)
+bool oracle_clip(const pair_f64 *pair)
 {
     prepare();
     load(pair);

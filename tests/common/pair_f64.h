@@ -26,4 +26,18 @@ static inline bool pair_f64_is_finite(const pair_f64 *pair)
     return is_finite;
 }
 
+static inline bool box_is_empty(const tribox_box *box)
+{
+    return box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2];
+}
+
+/* Of nine floats. */
+static inline pair_f64 pair_of_floats(const float *nine, const tribox_box *box)
+{
+    pair_f64 pair = {.box = *box};
+    for (int k = 0; k < 9; k++)
+        pair.u[k / 3][k % 3] = (double)nine[k];
+    return pair;
+}
+
 #endif

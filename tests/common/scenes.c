@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "doubles/scenes_f64.h"
+
 static const scene table[] = {
     {"paper", "ordinary", draw_paper, false},
     {"eighths", "ordinary", draw_eighths, true},
@@ -53,12 +55,7 @@ void scene_draw_batch(const scene *s, random_source *r, scene_batch *batch)
     }
 }
 
-pair_f32 scene_pair(const scene_batch *batch, int k)
-{
-    pair_f32 pair = {.box = batch->box};
-    memcpy(pair.u, batch->u[k], sizeof pair.u);
-    return pair;
-}
+pair_f64 scene_pair(const scene_batch *batch, int k) { return pair_of_floats(batch->u[k][0], &batch->box); }
 
 bool scene_is_called(const scene *s, const char *name) { return !name || !strcmp(name, s->name) || !strcmp(name, s->family); }
 
@@ -67,8 +64,13 @@ bool scene_name_is_known(const char *name)
     for (size_t i = 0; i < scene_count(); i++)
         if (scene_is_called(&table[i], name))
             return true;
+    for (size_t i = 0; i < scene_f64_count(); i++)
+        if (scene_f64_is_called(scene_f64_at(i), name))
+            return true;
     fprintf(stderr, "no scene and no family of scenes is called '%s'; there are (family: scene)\n", name);
     for (size_t i = 0; i < scene_count(); i++)
         fprintf(stderr, "  %s: %s\n", table[i].family, table[i].name);
+    for (size_t i = 0; i < scene_f64_count(); i++)
+        fprintf(stderr, "  doubles: %s\n", scene_f64_at(i)->name);
     return false;
 }

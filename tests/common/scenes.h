@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "pair_f32.h"
+#include "pair_f64.h"
 #include "random_draws.h"
 #include "tribox.h"
 
@@ -34,12 +34,12 @@ const scene *scene_at(size_t i);
 void scene_draw_batch(const scene *s, random_source *r, scene_batch *batch);
 
 /* Triangle k of a batch and its box. */
-pair_f32 scene_pair(const scene_batch *batch, int k);
+pair_f64 scene_pair(const scene_batch *batch, int k);
 
 /* Whether a scene answers to a name: its own, its family's, or NULL. */
 bool scene_is_called(const scene *s, const char *name);
 
-/* Whether any scene does; if not, prints the known names. */
+/* Whether any scene does, of floats or of doubles; if not, prints the known names. */
 bool scene_name_is_known(const char *name);
 
 /* Ordinary geometry: scenes_ordinary.c. */

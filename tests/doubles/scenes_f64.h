@@ -28,9 +28,8 @@ typedef struct scene_f64 {
 size_t scene_f64_count(void);
 const scene_f64 *scene_f64_at(size_t i);
 
-/* Whether a scene answers to a name, or to NULL; and whether any does: if not, prints the known names. */
+/* Whether a scene answers to a name, to "doubles", or to NULL. */
 bool scene_f64_is_called(const scene_f64 *s, const char *name);
-bool scene_f64_name_is_known(const char *name);
 
 /* Triangle k of a batch and its box. */
 pair_f64 batch_f64_pair(const batch_f64 *batch, int k);

@@ -56,7 +56,7 @@ static void cross(const double p[3], const double q[3], double r[3])
         r[i] = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
 }
 
-static void axis_of(const pair_f32 *pair, int number, double axis[3])
+static void axis_of(const pair_f64 *pair, int number, double axis[3])
 {
     double edge[3][3], unit[3] = {0};
     for (int k = 0; k < 9; k++)
@@ -70,7 +70,7 @@ static void axis_of(const pair_f32 *pair, int number, double axis[3])
         cross(unit, edge[(number - ORACLE_EDGES) % 3], axis);
 }
 
-static margin margin_of(const pair_f32 *pair, int number)
+static margin margin_of(const pair_f64 *pair, int number)
 {
     double axis[3], place[3] = {0}, r = 0, extent[3], m[3];
     axis_of(pair, number, axis);
@@ -97,7 +97,7 @@ static margin margin_of(const pair_f32 *pair, int number)
 }
 
 /* The widest separation over the thirteen axes, as a length: above 0 the pair is disjoint, below it the depth. */
-static double gap_of(const pair_f32 *pair)
+static double gap_of(const pair_f64 *pair)
 {
     double gap = -INFINITY;
     for (int k = 0; k < ORACLE_AXES; k++) {
@@ -107,7 +107,7 @@ static double gap_of(const pair_f32 *pair)
     return gap;
 }
 
-static double largest_of(const pair_f32 *pair)
+static double largest_of(const pair_f64 *pair)
 {
     double most = 0;
     for (int a = 0; a < 3; a++) {
@@ -123,7 +123,7 @@ static double largest_of(const pair_f32 *pair)
  * the float bound (once for the kernel's own rounding, once for what is left out of the bound, once to spare). FAST may err within
  * a part of the largest coordinate.
  */
-static bool is_forgiven(const check *c, const library *l, const pair_f32 *pair, bool answer)
+static bool is_forgiven(const check *c, const library *l, const pair_f64 *pair, bool answer)
 {
     bool is_near = answer;
     for (int k = 0; k < ORACLE_AXES; k++) {
@@ -138,8 +138,8 @@ static bool is_forgiven(const check *c, const library *l, const pair_f32 *pair, 
 /* A pair of which the rays say otherwise. */
 static void breach(const check *c, library *l, size_t t, const int cell[3], bool answer)
 {
-    pair_f32 pair = {.box = grid_planes_cell(&c->planes, cell[0], cell[1], cell[2])};
-    memcpy(pair.u, c->model->triangles[t].u, sizeof pair.u);
+    const tribox_box box = grid_planes_cell(&c->planes, cell[0], cell[1], cell[2]);
+    const pair_f64 pair = pair_of_floats(&c->model->triangles[t].u[0][0], &box);
     const bool is_right = answer == oracle_overlaps(oracle_separating(&pair), TRIBOX_AXES_ALL);
     if (is_right ? c->is_exact : !is_forgiven(c, l, &pair, answer)) {
         fprintf(stderr, "a ray says otherwise, and the oracle sides with the %s; gap %g\n", is_right ? "library" : "ray",
@@ -182,7 +182,7 @@ static void ask_triangle(check *c, size_t t)
     for (int k = 0; k < c->count; k++) {
         library *const l = &c->libraries[k];
         l->where.function = "tribox_overlap_boxes";
-        ask_boxes(u->u, &boxes, &l->where.options, k ? mask : agreed);
+        ask_boxes(u->u[0], &boxes, &l->where.options, k ? mask : agreed);
         if (k && l->where.options.accuracy == TRIBOX_EXACT && memcmp(agreed, mask, words * sizeof *mask) != 0)
             fail_msg("%s: kernel %s answers EXACT otherwise than the first for triangle %zu", c->name, l->where.options.kernel, t);
         for (size_t n = 0; n < count; n++) {

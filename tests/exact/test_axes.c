@@ -2,10 +2,8 @@
 #include "common/ask.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "common/arguments.h"
-#include "common/random_draws.h"
+#include "common/harness.h"
 
 /* Triangles and boxes, all of which are asked about each other. */
 enum { EACH_MAX = 80 };
@@ -20,18 +18,16 @@ typedef struct boxes_and_triangles {
     float lower[3][EACH_MAX], upper[3][EACH_MAX];
 } boxes_and_triangles;
 
-static pair_f32 pair_of(const boxes_and_triangles *c, size_t box, size_t triangle)
+static pair_f64 pair_of(const boxes_and_triangles *c, size_t box, size_t triangle)
 {
-    pair_f32 pair = {.box = c->box[box]};
-    memcpy(pair.u, c->u[triangle], sizeof pair.u);
-    return pair;
+    return pair_of_floats(c->u[triangle][0], &c->box[box]);
 }
 
 static void complete(boxes_and_triangles *c)
 {
     for (size_t b = 0; b < c->boxes; b++)
         for (size_t k = 0; k < c->triangles; k++) {
-            const pair_f32 pair = pair_of(c, b, k);
+            const pair_f64 pair = pair_of(c, b, k);
             c->truth[b][k] = oracle_separating(&pair);
         }
     for (int a = 0; a < 3; a++) {
@@ -52,7 +48,7 @@ static void check_answer(const boxes_and_triangles *c, const origin *where, size
     const bool must_be_right = accuracy == TRIBOX_EXACT || c->is_on_lattice[box];
     if (answer == overlaps || !(must_be_right || (accuracy == TRIBOX_CONSERVATIVE && overlaps)))
         return;
-    const pair_f32 pair = pair_of(c, box, triangle);
+    const pair_f64 pair = pair_of(c, box, triangle);
     fail_pair(where, &pair, answer);
 }
 
@@ -76,22 +72,19 @@ static void ask_all_pairs(const boxes_and_triangles *c, origin where)
     }
     where.function = "tribox_overlap_boxes";
     for (size_t k = 0; k < c->triangles; k++) {
-        const pair_f32 pair = pair_of(c, 0, k);
-        ask_boxes(triangle_of(&pair), &boxes, &where.options, mask);
+        ask_boxes(c->u[k][0], &boxes, &where.options, mask);
         for (size_t b = 0; b < c->boxes; b++)
             check_answer(c, &where, b, k, bit_of(mask, b));
     }
 }
 
 /* Every kernel and accuracy, on all thirteen axes and on a set of them that is drawn, in orders that are drawn. */
-static void ask_every_way(const boxes_and_triangles *c, const char *test, uint64_t seed, random_source *r)
+static void ask_every_way(const boxes_and_triangles *c, const char *test, random_source *r)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
-    for (int kernel = 0; kernel < kernel_count; kernel++)
+    for (int kernel = 0; kernel < kernels; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
-            origin where = {.scene = test, .seed = seed};
-            where.options = (tribox_options){.accuracy = (tribox_accuracy)accuracy, .kernel = kernels[kernel]};
+            origin where = {.scene = test, .seed = args.seed};
+            where.options = (tribox_options){.accuracy = (tribox_accuracy)accuracy, .kernel = names[kernel]};
             const unsigned sets[] = {TRIBOX_AXES_ALL, (unsigned)random_int_between(r, 1, AXIS_SETS)};
             for (size_t s = 0; s < sizeof sets / sizeof sets[0]; s++) {
                 where.options.axes = sets[s];
@@ -200,10 +193,9 @@ static void make_thirteen(const frame *f, boxes_and_triangles *c)
     }
 }
 
-static void test_thirteen_axes(void **state)
+CASE(test_thirteen_axes)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "thirteen axes");
+    random_source r = random_named(args.seed, "thirteen axes");
     static boxes_and_triangles c;
     for (int mirror = 0; mirror < 8; mirror++)
         for (int axes = 0; axes < ORDERS; axes++)
@@ -212,15 +204,14 @@ static void test_thirteen_axes(void **state)
                 for (int a = 0; a < 3; a++)
                     f.sign[a] = mirror >> a & 1 ? -1 : 1;
                 make_thirteen(&f, &c);
-                ask_every_way(&c, "thirteen axes", args->seed, &r);
+                ask_every_way(&c, "thirteen axes", &r);
             }
 }
 
 /* A triangle across each corner of a box, whose plane cuts the corner off, touches it or misses it. */
-static void test_corner_cuts(void **state)
+CASE(test_corner_cuts)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "corner cuts");
+    random_source r = random_named(args.seed, "corner cuts");
     static const int half[3] = {2, 4, 6}, centre[3] = {1, -3, 2};
     static boxes_and_triangles c;
     c.boxes = 1;
@@ -245,7 +236,7 @@ static void test_corner_cuts(void **state)
         assert_int_equal(c.truth[0][k].touching & plane, k % 3 == 1 ? plane : 0);
     }
     for (int times = 0; times < AXIS_SETS * ORDERS; times++)
-        ask_every_way(&c, "corner cuts", args->seed, &r);
+        ask_every_way(&c, "corner cuts", &r);
 }
 
 /* Triangles and boxes of small whole numbers, flat and degenerate ones among them. */
@@ -266,25 +257,15 @@ static void draw_lattice(random_source *r, boxes_and_triangles *c)
     complete(c);
 }
 
-static void test_lattice(void **state)
+CASE(test_lattice)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "lattice");
+    random_source r = random_named(args.seed, "lattice");
     static boxes_and_triangles c;
     /* By default 2^20 pairs. */
-    for (size_t pairs = 0; pairs < 10 * args->pairs; pairs += c.triangles * c.boxes) {
+    for (size_t pairs = 0; pairs < 10 * args.pairs; pairs += c.triangles * c.boxes) {
         draw_lattice(&r, &c);
-        ask_every_way(&c, "lattice", args->seed, &r);
+        ask_every_way(&c, "lattice", &r);
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_thirteen_axes, &args),
-        cmocka_unit_test_prestate(test_corner_cuts, &args),
-        cmocka_unit_test_prestate(test_lattice, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_thirteen_axes), RUN(test_corner_cuts), RUN(test_lattice))

@@ -6,11 +6,8 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
-#include "common/arguments.h"
-#include "common/oracle_f64.h"
-#include "common/random_draws.h"
+#include "common/harness.h"
 #include "dispatch.h"
 #include "exact/exact.h"
 #include "pairs/settle.h"
@@ -163,13 +160,13 @@ static void draw_any_exponents(random_source *r, pair_f64 *p)
     }
 }
 
-typedef struct scene_f64 {
+typedef struct pair_scene {
     const char *name;
     void (*draw)(random_source *r, pair_f64 *p);
     int least_power, most_power; /* what every axis may be scaled by */
-} scene_f64;
+} pair_scene;
 
-static const scene_f64 scenes[] = {
+static const pair_scene scenes[] = {
     {"tenths", draw_tenths, 0, 0},
     {"touching_edge", draw_touching_edge, -190, 190},
     {"touching_plane", draw_touching_plane, -190, 190},
@@ -204,7 +201,7 @@ static void degenerate(random_source *r, pair_f64 *p)
 }
 
 /* Every axis in a unit of its own, a few numbers a bit off, and vertices and axes in any order. */
-static void draw(const scene_f64 *s, random_source *r, pair_f64 *to)
+static void draw(const pair_scene *s, random_source *r, pair_f64 *to)
 {
     pair_f64 p;
     s->draw(r, &p);
@@ -227,16 +224,15 @@ typedef struct counts {
     size_t short_pairs, long_pairs, overlapping;
 } counts;
 
-static void fail_pair_f64(const origin *where, const char *function, const pair_f64 *p, unsigned axes, bool answer)
+static void check(origin *where, const char *function, const pair_f64 *p, unsigned axes, bool answer, bool expected)
 {
-    fprintf(stderr, "%s, seed %llu: %s, kernel %s, accuracy %d, axes %u: %d is wrong\n", where->scene,
-            (unsigned long long)where->seed, function, where->options.kernel ? where->options.kernel : "none",
-            (int)where->options.accuracy, axes, answer);
-    oracle_explain_f64(stderr, p);
-    fail_msg("a wrong answer");
+    where->function = function;
+    where->options.axes = axes;
+    if (answer != expected)
+        fail_pair(where, p, answer);
 }
 
-static void check_integers(const origin *where, const pair_f64 *p, oracle_axes truth, counts *count)
+static void check_integers(origin *where, const pair_f64 *p, oracle_axes truth, counts *count)
 {
     tribox_pair pair;
     tribox_short_pair counted;
@@ -251,12 +247,11 @@ static void check_integers(const origin *where, const pair_f64 *p, oracle_axes t
         if ((axes & TRIBOX_AXES_BOX) && !oracle_overlaps(truth, TRIBOX_AXES_BOX))
             continue;
         count->overlapping += overlaps;
-        if (tribox_exact_overlap(&pair, axes) != overlaps)
-            fail_pair_f64(where, "tribox_exact_overlap", p, axes, !overlaps);
-        if (is_short && tribox_exact_long(&pair, axes) != overlaps)
-            fail_pair_f64(where, "tribox_exact_long", p, axes, !overlaps);
-        if (is_short && tribox_exact_short_in_words(&counted, axes) != overlaps)
-            fail_pair_f64(where, "tribox_exact_short without 128 bits", p, axes, !overlaps);
+        check(where, "tribox_exact_overlap", p, axes, tribox_exact_overlap(&pair, axes), overlaps);
+        if (is_short) {
+            check(where, "tribox_exact_long", p, axes, tribox_exact_long(&pair, axes), overlaps);
+            check(where, "tribox_exact_short without 128 bits", p, axes, tribox_exact_short_in_words(&counted, axes), overlaps);
+        }
     }
 }
 
@@ -295,7 +290,7 @@ static void check_batch(origin *where, gathered *g, unsigned axes)
         const bool overlaps = is_finite && oracle_overlaps(g->truth[i], axes);
         const bool may_be_wrong = where->options.accuracy == TRIBOX_CONSERVATIVE && !overlaps && is_finite;
         if ((answer != overlaps && !may_be_wrong) || (verdict.finite >> i & 1) != is_finite)
-            fail_pair_f64(where, "tribox_settle_batch", &g->pair[i], axes, answer);
+            check(where, "tribox_settle_batch", &g->pair[i], axes, answer, !answer);
     }
 }
 
@@ -310,17 +305,17 @@ static void settle(origin *where, gathered *g, unsigned axes)
     g->count = 0;
 }
 
-static void try_scene(const scene_f64 *s, const arguments *args)
+static void try_scene(const pair_scene *s)
 {
     static gathered with_box, without_box; /* the box normals separate no pair of the first */
-    origin where = {.scene = s->name, .seed = args->seed};
-    random_source r = random_named(args->seed, s->name);
+    origin where = {.scene = s->name, .seed = args.seed};
+    random_source r = random_named(args.seed, s->name);
     counts count = {0, 0, 0};
     with_box.count = without_box.count = 0;
-    for (size_t k = args->pairs / 100; k; k--) {
+    for (size_t k = args.pairs / 100; k; k--) {
         pair_f64 p;
         draw(s, &r, &p);
-        const oracle_axes truth = oracle_separating_f64(&p);
+        const oracle_axes truth = oracle_separating(&p);
         check_integers(&where, &p, truth, &count);
         if (oracle_overlaps(truth, TRIBOX_AXES_BOX))
             gather(&with_box, &r, &p, truth);
@@ -333,17 +328,11 @@ static void try_scene(const scene_f64 *s, const arguments *args)
     printf("%-18s %zu short, %zu long, %zu answers of overlap\n", s->name, count.short_pairs, count.long_pairs, count.overlapping);
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    const arguments *const args = *state;
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++)
-        if (!args->scenes || !strcmp(args->scenes, scenes[k].name))
-            try_scene(&scenes[k], args);
+        if (!args.scenes || !strcmp(args.scenes, scenes[k].name))
+            try_scene(&scenes[k]);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_scenes, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_scenes))

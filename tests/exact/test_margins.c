@@ -9,16 +9,14 @@
 #include "common/ask.h"
 
 #include <math.h>
-#include <stdlib.h>
 
-#include "common/arguments.h"
 #include "common/contact.h"
-#include "common/random_draws.h"
+#include "common/harness.h"
 
 /* So many bits has the distance of a triangle far away, in units of the last one. */
 enum { UNIT_BITS = 23 };
 
-typedef void pair_draw(random_source *r, pair_f32 *pair);
+typedef void pair_draw(random_source *r, pair_f64 *pair);
 
 /* Any of about `size`, of either sign. */
 static double any_of(random_source *r, double size) { return size * random_double(r, -1, 1); }
@@ -46,12 +44,6 @@ static void cross(const double f[3], const double g[3], double n[3])
 }
 
 static double dot(const double f[3], const double g[3]) { return f[0] * g[0] + f[1] * g[1] + f[2] * g[2]; }
-
-static void vertex_of(const pair_f32 *pair, int j, double p[3])
-{
-    for (int a = 0; a < 3; a++)
-        p[a] = pair->u[j][a];
-}
 
 /*
  * A box of about `size` near a place, whose corner farthest along m lies in the plane m.x = m.p, but for the rounding and the slip.
@@ -93,7 +85,7 @@ static int longest_component(const int w[3])
  * A segment, or a needle, that points at the box from afar, and one of its edge axes in contact. Its vertices are multiples of the
  * last bit that such far numbers have, the bounds of the box are not.
  */
-static void draw_edge_far_away(random_source *r, pair_f32 *pair)
+static void draw_edge_far_away(random_source *r, pair_f64 *pair)
 {
     int w[3];
     draw_whole(r, 1 << random_int_between(r, 0, 12), w);
@@ -108,22 +100,20 @@ static void draw_edge_far_away(random_source *r, pair_f32 *pair)
             pair->u[j][a] = (float)(place[a] + unit * (w[a] * at + random_int_between(r, -noise, noise)));
     const int i = random_int(r, 3), b = (i + 1) % 3, c = (i + 2) % 3, j = random_int(r, 3), sign = random_int(r, 2) ? 1 : -1;
     for (int a = 0; a < 3; a++)
-        f[a] = (double)pair->u[(j + 1) % 3][a] - pair->u[j][a];
+        f[a] = pair->u[(j + 1) % 3][a] - pair->u[j][a];
     m[b] = sign * f[c];
     m[c] = -sign * f[b];
     if (m[b] == 0 && m[c] == 0)
         m[b] = sign;
-    double p[3], q[3];
-    vertex_of(pair, j, p);
-    vertex_of(pair, (j + 2) % 3, q);
+    const double *const p = pair->u[j], *const q = pair->u[(j + 2) % 3];
     put_box(r, m, dot(m, p) < dot(m, q) ? p : q, place, size, random_int(r, 2) * unit, &pair->box);
 }
 
 /* A triangle of edges up to `most` units, far away in a plane that all but touches the box; vertices as above. */
-static void draw_plane_at(random_source *r, int most, double unit, double size, pair_f32 *pair)
+static void draw_plane_at(random_source *r, int most, double unit, double size, pair_f64 *pair)
 {
     int w[2][3];
-    double f[2][3], n[3], place[3], p[3];
+    double f[2][3], n[3], place[3];
     do {
         for (int k = 0; k < 2; k++) {
             draw_whole(r, most, w[k]);
@@ -140,27 +130,26 @@ static void draw_plane_at(random_source *r, int most, double unit, double size, 
         pair->u[1][a] = (float)(pair->u[0][a] + unit * w[0][a]);
         pair->u[2][a] = (float)(pair->u[0][a] + unit * w[1][a]);
     }
-    vertex_of(pair, 0, p);
     const int sign = random_int(r, 2) ? 1 : -1;
     for (int a = 0; a < 3; a++)
         n[a] *= sign;
-    put_box(r, n, p, place, size, random_int(r, 2) * unit, &pair->box);
+    put_box(r, n, pair->u[0], place, size, random_int(r, 2) * unit, &pair->box);
 }
 
-static void draw_plane_far_away(random_source *r, pair_f32 *pair)
+static void draw_plane_far_away(random_source *r, pair_f64 *pair)
 {
     const double unit = ldexp(1, random_int_between(r, -40, 12));
     draw_plane_at(r, 1 << random_int_between(r, 0, 11), unit, unit * ldexp(1, random_int_between(r, -2, 12)), pair);
 }
 
 /* So far away that the distance from the plane overflows on the way, from a triangle and a box that are in range. */
-static void draw_plane_past_range(random_source *r, pair_f32 *pair)
+static void draw_plane_past_range(random_source *r, pair_f64 *pair)
 {
     const double unit = ldexp(1, random_int_between(r, 32, 35));
     draw_plane_at(r, 2, unit, unit / 16, pair);
 }
 
-static void draw_vanishing(random_source *r, float u[3][3])
+static void draw_vanishing(random_source *r, double u[3][3])
 {
     const int exponent = random_int_between(r, -76, -72);
     for (int j = 0; j < 3; j++)
@@ -172,21 +161,20 @@ static void draw_vanishing(random_source *r, float u[3][3])
  * A vanishing triangle at the origin, and a box far away that is a point of its plane, but for the rounding, or a few ulps about
  * it.
  */
-static void draw_vanishing_far_away(random_source *r, pair_f32 *pair)
+static void draw_vanishing_far_away(random_source *r, pair_f64 *pair)
 {
-    double f[2][3], n[3], place[3], p[3];
+    double f[2][3], n[3], place[3];
     do {
         draw_vanishing(r, pair->u);
         for (int k = 0; k < 2; k++)
             for (int a = 0; a < 3; a++)
-                f[k][a] = (double)pair->u[k + 1][a] - pair->u[k][a];
+                f[k][a] = pair->u[k + 1][a] - pair->u[k][a];
         cross(f[0], f[1], n);
     } while (dot(n, n) == 0);
     const double distance = ldexp(1, random_int_between(r, 30, 35));
     for (int a = 0; a < 3; a++)
         place[a] = any_of(r, distance);
-    vertex_of(pair, 0, p);
-    put_box(r, n, p, place, 0, 0, &pair->box);
+    put_box(r, n, pair->u[0], place, 0, 0, &pair->box);
     for (int a = 0, is_point = random_int(r, 2); a < 3 && !is_point; a++) {
         pair->box.lo[a] = nextafterf((float)pair->box.lo[a], -INFINITY);
         pair->box.hi[a] = nextafterf((float)pair->box.hi[a], INFINITY);
@@ -199,7 +187,7 @@ static void draw_vanishing_far_away(random_source *r, pair_f32 *pair)
  * lower and farther right. Then the wrong sign of the normal leaves all slacks positive. The corner is at zero, or at numbers as
  * fine as the triangle.
  */
-static void draw_vanishing_at_corner(random_source *r, pair_f32 *pair)
+static void draw_vanishing_at_corner(random_source *r, pair_f64 *pair)
 {
     const int i = random_int(r, 3), b = (i + 1) % 3, c = (i + 2) % 3, turn = random_int(r, 3), is_beside = random_int(r, 2);
     const double unit = ldexp(1, random_int_between(r, -80, -71));
@@ -231,7 +219,7 @@ static void draw_vanishing_at_corner(random_source *r, pair_f32 *pair)
  * normal is zero. But the edges round, and where the two products of it lie on either side of half the least float, they leave one
  * of it. The plane passes an edge of a large box at a distance that is less still.
  */
-static void draw_vanishing_edge_on(random_source *r, pair_f32 *pair)
+static void draw_vanishing_edge_on(random_source *r, pair_f64 *pair)
 {
     const int i = random_int(r, 3), b = (i + 1) % 3, c = (i + 2) % 3;
     double at[3];
@@ -257,7 +245,7 @@ static void draw_vanishing_edge_on(random_source *r, pair_f32 *pair)
  * the slack has the wrong sign and is more than a 64th of the margin. The first where products round, the second where they are
  * fused.
  */
-static const pair_f32 worst_planes[] = {
+static const pair_f64 worst_planes[] = {
     {.u = {{-0x1.0930a8p-1f, -0x1.522aacp-1f, 0x1.d59e24p-1f},
            {0x1.b1c812p-1f, 0x1.177f32p-1f, 0x1.b66c34p-1f},
            {0x1.a89ccep-1f, 0x1.62d046p-1f, -0x1.40ff5p-1f}},
@@ -269,9 +257,9 @@ static const pair_f32 worst_planes[] = {
 };
 
 /* One of them, mirrored and scaled, which changes no rounding. */
-static void draw_worst_plane(random_source *r, pair_f32 *pair)
+static void draw_worst_plane(random_source *r, pair_f64 *pair)
 {
-    const pair_f32 *const from = &worst_planes[random_int(r, 2)];
+    const pair_f64 *const from = &worst_planes[random_int(r, 2)];
     const int exponent = random_int_between(r, -20, 10);
     for (int a = 0; a < 3; a++) {
         const bool is_mirrored = random_int(r, 2);
@@ -303,7 +291,7 @@ static const kind kinds[] = {
 /* One triangle in each order of its vertices, and one box. */
 typedef struct test_run {
     origin where;
-    pair_f32 pair;
+    pair_f64 pair;
     oracle_axes truth;
     float coordinate[3][3][ORDERS];
 } test_run;
@@ -319,7 +307,7 @@ static void ask(test_run *t)
 {
     tribox_soup soup = {.count = ORDERS};
     tribox_boxes boxes = {.count = 1};
-    float bound[6];
+    float bound[6], nine[9];
     uint64_t mask[1];
     for (int k = 0; k < 3; k++) {
         soup.x[k] = t->coordinate[k][0];
@@ -330,12 +318,14 @@ static void ask(test_run *t)
         boxes.lo[k] = &bound[k];
         boxes.hi[k] = &bound[3 + k];
     }
+    for (int n = 0; n < 9; n++)
+        nine[n] = (float)t->pair.u[n / 3][n % 3];
     t->where.function = "tribox_overlap";
     ask_soup(&soup, &t->pair.box, &t->where.options, mask);
     for (size_t order = 0; order < ORDERS; order++)
         check_answer(t, bit_of(mask, order));
     t->where.function = "tribox_overlap_boxes";
-    ask_boxes(triangle_of(&t->pair), &boxes, &t->where.options, mask);
+    ask_boxes(nine, &boxes, &t->where.options, mask);
     check_answer(t, bit_of(mask, 0));
 }
 
@@ -345,19 +335,19 @@ static void put_pair(test_run *t)
     for (int order = 0; order < ORDERS; order++)
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                t->coordinate[j][a][order] = t->pair.u[permutations[order][j]][a];
+                t->coordinate[j][a][order] = (float)t->pair.u[permutations[order][j]][a];
 }
 
 /* With the plane, with the edges and with both, from every kernel. */
-static void ask_every_way(test_run *t, unsigned box, const char *const *kernels, int kernel_count, random_source *r)
+static void ask_every_way(test_run *t, unsigned box, random_source *r)
 {
-    for (int kernel = 0; kernel < kernel_count; kernel++)
+    for (int kernel = 0; kernel < kernels; kernel++)
         for (unsigned axes = TRIBOX_AXES_PLANE; axes < TRIBOX_AXES_ALL; axes += TRIBOX_AXES_PLANE)
             for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++) {
                 t->where.options = (tribox_options){.accuracy = (tribox_accuracy)accuracy,
                                                     .axes = axes | box,
                                                     .axis_order = order_digits(random_int(r, ORDERS)),
-                                                    .kernel = kernels[kernel]};
+                                                    .kernel = names[kernel]};
                 ask(t);
             }
 }
@@ -365,22 +355,19 @@ static void ask_every_way(test_run *t, unsigned box, const char *const *kernels,
 /* Each pair is asked in a hundred ways and more. */
 enum { SHARE_OF_PAIRS = 50 };
 
-static void test_margins(void **state)
+CASE(test_margins)
 {
-    const arguments *const args = *state;
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
         const kind *const asked = &kinds[k];
-        random_source r = random_named(args->seed, asked->name);
-        test_run t = {.where = {.scene = asked->name, .seed = args->seed}};
-        const size_t pairs = args->pairs / SHARE_OF_PAIRS;
+        random_source r = random_named(args.seed, asked->name);
+        test_run t = {.where = {.scene = asked->name, .seed = args.seed}};
+        const size_t pairs = args.pairs / SHARE_OF_PAIRS;
         size_t overlaps = 0;
         for (size_t drawn = 0; drawn < pairs; drawn++) {
             asked->draw(&r, &t.pair);
             put_pair(&t);
             overlaps += oracle_overlaps(t.truth, asked->axes);
-            ask_every_way(&t, asked->axes & TRIBOX_AXES_BOX, kernels, kernel_count, &r);
+            ask_every_way(&t, asked->axes & TRIBOX_AXES_BOX, &r);
         }
         printf("%-20s %9zu pairs, %6.2f %% overlap\n", asked->name, pairs, 100 * (double)overlaps / (double)pairs);
         fflush(stdout);
@@ -388,9 +375,4 @@ static void test_margins(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_margins, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_margins))

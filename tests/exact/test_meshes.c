@@ -28,11 +28,11 @@ static tribox_soup soup_of(const mesh *m, const int vertex[3])
     return soup;
 }
 
-static pair_f32 pair_of(const mesh *m, size_t i, const tribox_box *box)
+static pair_f64 pair_of(const mesh *m, size_t i, const tribox_box *box)
 {
-    pair_f32 pair = {.box = *box};
-    mesh_triangle(m, i, pair.u);
-    return pair;
+    float u[3][3];
+    mesh_triangle(m, i, u);
+    return pair_of_floats(u[0], box);
 }
 
 /* The node of the octree, 2^-level of the bounds wide, in which a vertex of a drawn triangle lies. */
@@ -49,11 +49,11 @@ static tribox_box draw_node(random_source *r, const mesh *m, const tribox_box *b
     return node;
 }
 
-static bool reaches(const pair_f32 *pair)
+static bool reaches(const pair_f64 *pair)
 {
     for (int a = 0; a < 3; a++) {
-        const float least = fminf(fminf(pair->u[0][a], pair->u[1][a]), pair->u[2][a]);
-        const float most = fmaxf(fmaxf(pair->u[0][a], pair->u[1][a]), pair->u[2][a]);
+        const double least = fmin(fmin(pair->u[0][a], pair->u[1][a]), pair->u[2][a]);
+        const double most = fmax(fmax(pair->u[0][a], pair->u[1][a]), pair->u[2][a]);
         if (least > pair->box.hi[a] || most < pair->box.lo[a])
             return false;
     }
@@ -65,12 +65,12 @@ static size_t check_mask(const origin *where, const mesh *m, const tribox_box *n
 {
     size_t reaching = 0, asked = 0;
     for (size_t i = 0; i < m->count; i++) {
-        const pair_f32 pair = pair_of(m, i, node);
+        const pair_f64 pair = pair_of(m, i, node);
         reaching += reaches(&pair);
     }
     const size_t step = reaching / ORACLE_MAX + 1;
     for (size_t i = 0, k = 0; i < m->count; i++) {
-        const pair_f32 pair = pair_of(m, i, node);
+        const pair_f64 pair = pair_of(m, i, node);
         const bool answer = bit_of(mask, i);
         if (!reaches(&pair)) {
             if (answer)
@@ -91,7 +91,7 @@ static void check_that_masks_agree(const origin *where, const mesh *m, const tri
 {
     for (size_t i = 0; i < m->count; i++)
         if (bit_of(mask, i) != bit_of(first, i)) {
-            const pair_f32 pair = pair_of(m, i, node);
+            const pair_f64 pair = pair_of(m, i, node);
             fprintf(stderr, "two kernels disagree about triangle %zu\n", i);
             fail_pair(where, &pair, bit_of(mask, i));
         }

@@ -1,18 +1,18 @@
 /* test_oracles.c - the two oracles agree, and every slow stage of the exact test agrees with them where it applies. */
 #include "common/ask.h"
 
-#include "common/arguments.h"
+#include "common/harness.h"
+#include "common/scenes.h"
+#include "dispatch.h"
 #include "exact/exact.h"
 #include "exact/oriented/oriented.h"
-#include "dispatch.h"
-#include "common/scenes.h"
 
 /* How often each stage was asked: a stage that was never asked was not tested. */
 typedef struct reached {
     size_t double_certain, double_undecided, short_pairs, long_pairs;
 } reached;
 
-static void check(const origin *where, const char *function, const pair_f32 *pair, unsigned axes, bool answer, bool truth)
+static void check(const origin *where, const char *function, const pair_f64 *pair, unsigned axes, bool answer, bool truth)
 {
     if (answer == truth)
         return;
@@ -22,7 +22,7 @@ static void check(const origin *where, const char *function, const pair_f32 *pai
     fail_pair(&here, pair, answer);
 }
 
-static void check_oracles(const origin *where, const pair_f32 *pair, oracle_axes truth, bool is_gmp_due)
+static void check_oracles(const origin *where, const pair_f64 *pair, oracle_axes truth, bool is_gmp_due)
 {
     check(where, "oracle_clip", pair, TRIBOX_AXES_ALL, oracle_clip(pair), oracle_overlaps(truth, TRIBOX_AXES_ALL));
     if (!is_gmp_due)
@@ -45,7 +45,7 @@ typedef struct gathered_pairs {
     unsigned count;
 } gathered_pairs;
 
-static void gather(gathered_pairs *g, const pair_f32 *pair, int triangle)
+static void gather(gathered_pairs *g, const pair_f64 *pair, int triangle)
 {
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
@@ -73,7 +73,7 @@ static void check_settled(const origin *where, const judged_batch *judged, gathe
         count->double_certain += !is_open;
         if (is_open || answer == oracle_overlaps(judged->truth[g->triangle[i]], axes))
             continue;
-        const pair_f32 pair = scene_pair(&judged->batch, g->triangle[i]);
+        const pair_f64 pair = scene_pair(&judged->batch, g->triangle[i]);
         fail_pair(&here, &pair, answer);
     }
 }
@@ -84,7 +84,7 @@ static void check_settling(const origin *where, const judged_batch *judged, unsi
     static gathered_pairs g;
     g.count = 0;
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
-        const pair_f32 pair = scene_pair(&judged->batch, k);
+        const pair_f64 pair = scene_pair(&judged->batch, k);
         if (!(axes & TRIBOX_AXES_BOX) || oracle_overlaps(judged->truth[k], TRIBOX_AXES_BOX))
             gather(&g, &pair, k);
         if (!g.count || (g.count < TRIBOX_BATCH && k + 1 < SCENE_TRIANGLES))
@@ -97,7 +97,7 @@ static void check_settling(const origin *where, const judged_batch *judged, unsi
 }
 
 /* Integers, in both forms where the pair is short. */
-static void check_integers(const origin *where, const pair_f32 *pair, oracle_axes truth, reached *count)
+static void check_integers(const origin *where, const pair_f64 *pair, oracle_axes truth, reached *count)
 {
     tribox_pair asked;
     tribox_short_pair counted;
@@ -132,7 +132,7 @@ static bool is_sum_exact(double a, double b, double *sum)
 /*
  * Oriented boxes, about a box of the same axes as the others', whose bounds are the doubles about its centre; and each stage alone.
  */
-static void check_oriented(const origin *where, const pair_f32 *pair, unsigned axes)
+static void check_oriented(const origin *where, const pair_f64 *pair, unsigned axes)
 {
     tribox_oriented_pair oriented = {.box.axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     tribox_pair straight;
@@ -156,15 +156,15 @@ static void check_oriented(const origin *where, const pair_f32 *pair, unsigned a
     check(where, "tribox_oriented_long", pair, axes, tribox_oriented_long(&oriented, axes), overlaps);
 }
 
-static void try_scene(const scene *s, const arguments *args, reached *count)
+static void try_scene(const scene *s, reached *count)
 {
-    const origin where = {.scene = s->name, .seed = args->seed, .function = "oracle_separating"};
-    random_source r = random_named(args->seed, s->name);
+    const origin where = {.scene = s->name, .seed = args.seed, .function = "oracle_separating"};
+    random_source r = random_named(args.seed, s->name);
     static judged_batch judged;
-    for (size_t pairs = 0; pairs < args->pairs; pairs += SCENE_TRIANGLES) {
+    for (size_t pairs = 0; pairs < args.pairs; pairs += SCENE_TRIANGLES) {
         scene_draw_batch(s, &r, &judged.batch);
         for (int k = 0; k < SCENE_TRIANGLES; k++) {
-            const pair_f32 pair = scene_pair(&judged.batch, k);
+            const pair_f64 pair = scene_pair(&judged.batch, k);
             judged.truth[k] = oracle_separating(&pair);
             check_oracles(&where, &pair, judged.truth[k], k % 16 == 0);
             check_integers(&where, &pair, judged.truth[k], count);
@@ -176,14 +176,13 @@ static void try_scene(const scene *s, const arguments *args, reached *count)
     }
 }
 
-static void test_scenes(void **state)
+CASE(test_scenes)
 {
-    const arguments *const args = *state;
     reached count = {0};
     int scenes = 0;
     for (size_t i = 0; i < scene_count(); i++)
-        if (scene_is_called(scene_at(i), args->scenes)) {
-            try_scene(scene_at(i), args, &count);
+        if (scene_is_called(scene_at(i), args.scenes)) {
+            try_scene(scene_at(i), &count);
             scenes++;
         }
     printf("asked: double %zu certain, %zu undecided; integers %zu short, %zu long\n", count.double_certain, count.double_undecided,
@@ -194,11 +193,6 @@ static void test_scenes(void **state)
     assert_true(count.double_certain && count.double_undecided && count.short_pairs);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    if (!scene_name_is_known(args.scenes))
-        return 2;
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_scenes, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static int check_name(void) { return scene_name_is_known(args.scenes) ? 0 : 2; }
+
+PROGRAM_AFTER(check_name, RUN(test_scenes))

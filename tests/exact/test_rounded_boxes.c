@@ -7,22 +7,14 @@
  */
 #include <float.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
-#include <stdint.h>
-#include <cmocka.h>
 
 #include "base/rounded_box.h"
-#include "common/arguments.h"
 #include "common/ask.h"
 #include "common/contact.h"
-#include "common/oracle_f64.h"
+#include "common/harness.h"
 
 /* Triangles beside one box, calls about them, and pairs of --pairs that a box takes. */
 enum { TRIANGLES = 96, WORDS = 2, CALLS = 6, PAIRS_EACH = 2 };
-
-static arguments args;
 
 typedef struct beside_box {
     tribox_box box;
@@ -129,7 +121,7 @@ static void draw_case(random_source *r, beside_box *b)
         for (int k = 0; k < 9; k++)
             b->nine[i][k % 3][k / 3] = b->stream[k][i];
         const pair_f64 pair = pair_at(b, i);
-        b->truth[i] = pair_f64_is_finite(&pair) ? oracle_separating_f64(&pair) : (oracle_axes){0, 0};
+        b->truth[i] = pair_f64_is_finite(&pair) ? oracle_separating(&pair) : (oracle_axes){0, 0};
     }
 }
 
@@ -199,7 +191,7 @@ static void check(const beside_box *b, int i, const tribox_options *o, bool hit,
 {
     const pair_f64 pair = pair_at(b, i);
     const unsigned groups = o->axes ? o->axes : TRIBOX_AXES_ALL;
-    const bool overlaps = oracle_overlaps_f64(&pair, b->truth[i], groups);
+    const bool overlaps = oracle_pair_overlaps(&pair, b->truth[i], groups);
     bool is_right = hit == overlaps;
     if (!is_right && o->accuracy == TRIBOX_CONSERVATIVE)
         is_right = hit && pair_f64_is_finite(&pair) && is_near(&pair, groups);
@@ -207,7 +199,7 @@ static void check(const beside_box *b, int i, const tribox_options *o, bool hit,
         is_right = !is_moderate(&pair) || is_near(&pair, groups);
     if (is_right && (!inside || *inside == is_inside(&pair)))
         return;
-    oracle_explain_f64(stderr, &pair);
+    oracle_explain(stderr, &pair);
     fail_msg("seed %llu, accuracy %d, axes %u, order %u, %s: '%s'%s", (unsigned long long)args.seed, o->accuracy, groups,
              o->axis_order, o->kernel, hit ? "overlaps" : "does not overlap", inside ? *inside ? ", inside" : ", not inside" : "");
 }
@@ -255,11 +247,8 @@ static void check_fast_box(const tribox_box *box, bool is_box_asked)
     }
 }
 
-static void boxes_of_doubles(void **state)
+CASE(test_boxes_of_doubles)
 {
-    (void)state;
-    const char *kernels[KERNELS_MAX];
-    const int count = kernels_here(kernels);
     random_source r = random_named(args.seed, "rounded boxes");
     for (size_t pairs = 0; pairs < (size_t)args.pairs * PAIRS_EACH; pairs += TRIANGLES) {
         beside_box b;
@@ -268,13 +257,8 @@ static void boxes_of_doubles(void **state)
             0x1p40)
             check_fast_box(&b.box, pairs / TRIANGLES % 2);
         for (int k = 0; k < CALLS; k++)
-            ask(&r, &b, kernels[random_int(&r, count)]);
+            ask(&r, &b, names[random_int(&r, kernels)]);
     }
 }
 
-int main(int argc, char **argv)
-{
-    args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(boxes_of_doubles)};
-    return cmocka_run_group_tests_name("boxes of doubles", tests, NULL, NULL);
-}
+PROGRAM(RUN(test_boxes_of_doubles))

@@ -2,10 +2,8 @@
 #include "common/ask.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "common/arguments.h"
-#include "common/random_draws.h"
+#include "common/harness.h"
 
 enum { COUNT = 4096, WORDS = COUNT / 64 };
 
@@ -16,7 +14,6 @@ static const tribox_box half_box = {{-0.25f, -0.25f, -0.25f}, {0.25f, 0.25f, 0.2
 typedef struct thin {
     float u[COUNT][3][3], stream[3][3][COUNT]; /* stream[axis][vertex] */
     uint64_t middle[WORDS];
-    uint64_t seed;
 } thin;
 
 static tribox_soup soup_of(const thin *t)
@@ -76,45 +73,34 @@ static void check_found(const thin *t, const char *test, const tribox_options *o
 {
     uint64_t mask[WORDS];
     const tribox_soup soup = soup_of(t);
-    const origin where = {.scene = test, .seed = t->seed, .function = "tribox_overlap", .options = *options};
+    const origin where = {.scene = test, .seed = args.seed, .function = "tribox_overlap", .options = *options};
     ask_soup(&soup, &box, options, mask);
     for (size_t i = 0; i < COUNT; i++)
         if (bit_of(must, i) && !bit_of(mask, i)) {
-            pair_f32 pair = {.box = box};
-            memcpy(pair.u, t->u[i], sizeof pair.u);
+            const pair_f64 pair = pair_of_floats(t->u[i][0], &box);
             fail_pair(&where, &pair, false);
         }
 }
 
 static void check_accuracy(const thin *t, const char *test, tribox_accuracy accuracy, const uint64_t *must)
 {
-    const char *kernels[KERNELS_MAX];
-    const int count = kernels_here(kernels);
-    for (int k = 0; k < count; k++)
-        check_found(t, test, &(tribox_options){.accuracy = accuracy, .kernel = kernels[k]}, must);
+    for (int k = 0; k < kernels; k++)
+        check_found(t, test, &(tribox_options){.accuracy = accuracy, .kernel = names[k]}, must);
 }
 
 static thin drawn;
 
-static random_source source_of(const char *test, void **state)
-{
-    const arguments *const args = *state;
-    drawn.seed = args->seed;
-    return random_named(args->seed, test);
-}
-
 /* EXACT and CONSERVATIVE find every segment and sliver that clipping finds. */
-static void test_exact_and_conservative_find_all(void **state)
+CASE(test_exact_and_conservative_find_all)
 {
-    random_source r = source_of("thin", state);
+    random_source r = random_named(args.seed, "thin");
     uint64_t truth[WORDS] = {0};
     for (int i = 0; i < COUNT; i++) {
         if (i % 2)
             draw_segment(&r, random_int(&r, 3), drawn.u[i]);
         else
             draw_sliver(&r, random_int_between(&r, 10, 30), drawn.u[i]);
-        pair_f32 pair = {.box = box};
-        memcpy(pair.u, drawn.u[i], sizeof pair.u);
+        const pair_f64 pair = pair_of_floats(drawn.u[i][0], &box);
         truth[i / 64] |= (uint64_t)oracle_clip(&pair) << i % 64;
     }
     complete(&drawn);
@@ -123,9 +109,9 @@ static void test_exact_and_conservative_find_all(void **state)
 }
 
 /* FAST: up to 2^12 times as long as high and 7 times as long as the box (2^16 / k in the manual), the normal is good enough. */
-static void test_fast_finds_slivers(void **state)
+CASE(test_fast_finds_slivers)
 {
-    random_source r = source_of("slivers", state);
+    random_source r = random_named(args.seed, "slivers");
     for (int i = 0; i < COUNT; i++)
         draw_sliver(&r, random_int_between(&r, 4, 12), drawn.u[i]);
     complete(&drawn);
@@ -133,9 +119,9 @@ static void test_fast_finds_slivers(void **state)
 }
 
 /* FAST: an edge of length zero makes every part of the normal zero, if it is f_0 or f_1. */
-static void test_fast_finds_segments_without_an_edge(void **state)
+CASE(test_fast_finds_segments_without_an_edge)
 {
-    random_source r = source_of("segments without an edge", state);
+    random_source r = random_named(args.seed, "segments without an edge");
     for (int i = 0; i < COUNT; i++) {
         draw_segment(&r, 1, drawn.u[i]);
         if (i % 2)
@@ -157,11 +143,9 @@ static size_t count_lost(const thin *t, const char *kernel)
 }
 
 /* FAST: of segments that go there and back it may lose most in small boxes, in this one a third, and not the half. */
-static void test_fast_loses_a_third_of_segments(void **state)
+CASE(test_fast_loses_a_third_of_segments)
 {
-    const char *kernels[KERNELS_MAX];
-    const int count = kernels_here(kernels);
-    random_source r = source_of("segments", state);
+    random_source r = random_named(args.seed, "segments");
     for (int i = 0; i < COUNT; i++) {
         const float share = (float)random_double(&r, 0, 1);
         draw_segment(&r, 0, drawn.u[i]);
@@ -169,18 +153,9 @@ static void test_fast_loses_a_third_of_segments(void **state)
             drawn.u[i][1][a] = -share * drawn.u[i][0][a];
     }
     complete(&drawn);
-    for (int k = 0; k < count; k++)
-        assert_in_range(count_lost(&drawn, kernels[k]), 0, COUNT * 2 / 5);
+    for (int k = 0; k < kernels; k++)
+        assert_in_range(count_lost(&drawn, names[k]), 0, COUNT * 2 / 5);
 }
 
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_exact_and_conservative_find_all, &args),
-        cmocka_unit_test_prestate(test_fast_finds_slivers, &args),
-        cmocka_unit_test_prestate(test_fast_finds_segments_without_an_edge, &args),
-        cmocka_unit_test_prestate(test_fast_loses_a_third_of_segments, &args),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+PROGRAM(RUN(test_exact_and_conservative_find_all), RUN(test_fast_finds_slivers), RUN(test_fast_finds_segments_without_an_edge),
+        RUN(test_fast_loses_a_third_of_segments))

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "common/oracle_f64.h"
+#include "common/oracle.h"
 #include "oriented_oracle.h"
 #include "things.h"
 
@@ -49,11 +49,6 @@ static pair_f64 pair_of(const fuzz_case *q, unsigned i)
 /* FAST errs either way about floats, within rounding of what is not bounded here. */
 static bool is_of_floats(const fuzz_case *q) { return q->kind <= OF_FLOATS && q->t.mesh.axis_stride <= sizeof(float); }
 
-static bool box_is_empty(const tribox_box *box)
-{
-    return box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2];
-}
-
 static bool is_empty(const tribox_oriented_box *box) { return box->half[0] < 0 || box->half[1] < 0 || box->half[2] < 0; }
 
 static void find_truths(fuzz_case *q)
@@ -67,10 +62,10 @@ static void find_truths(fuzz_case *q)
             ensure(bounds || !all, "the two oracles contradict each other");
             q->truth[i] = (truth){axes == TRIBOX_AXES_BOX ? bounds : all, true};
         } else if (q->form != ORIENTED && pair_f64_is_finite(&pair)) {
-            const oracle_axes apart = oracle_separating_f64(&pair);
-            q->truth[i].overlaps = oracle_overlaps_f64(&pair, apart, axes);
+            const oracle_axes apart = oracle_separating(&pair);
+            q->truth[i].overlaps = oracle_pair_overlaps(&pair, apart, axes);
             q->truth[i].may_overlap =
-                is_of_floats(q) ? !box_is_empty(&pair.box) : q->truth[i].overlaps || oracle_is_near_f64(&pair, apart, axes);
+                is_of_floats(q) ? !box_is_empty(&pair.box) : q->truth[i].overlaps || oracle_is_near(&pair, apart, axes);
         }
     }
 }
@@ -93,7 +88,7 @@ static void check_mask(const fuzz_case *q, const tribox_options *o, const uint64
         if (q->form == ORIENTED && are_finite(pair.u[0], 9))
             oriented_explain(stderr, (corners)pair.u, &q->oriented);
         else if (pair_f64_is_finite(&pair))
-            oracle_explain_f64(stderr, &pair);
+            oracle_explain(stderr, &pair);
         ensure(false, "form %u, kind %u: bit %zu of %zu is wrong", q->form, q->kind, i, q->count);
     }
 }

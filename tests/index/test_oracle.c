@@ -17,7 +17,7 @@ static void check_by_oracle(const scene_batch *batch, unsigned axes, const char 
 {
     uint64_t truth[WORDS] = {0}, mask[WORDS];
     for (int t = 0; t < SCENE_TRIANGLES; t++) {
-        const pair_f32 pair = scene_pair(batch, t);
+        const pair_f64 pair = scene_pair(batch, t);
         truth[t / 64] |= (uint64_t)oracle_overlaps(oracle_separating(&pair), axes) << t % 64;
     }
     for (int k = 0; k < kernels; k++) {

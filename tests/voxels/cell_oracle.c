@@ -110,7 +110,7 @@ bool cell_oracle_overlaps(const cell_oracle *t, const tribox_box *box, unsigned 
     if (!is_open)
         return true;
     const pair_f64 pair = pair_of(t, box);
-    return oracle_overlaps(oracle_separating_f64(&pair), groups);
+    return oracle_overlaps(oracle_separating(&pair), groups);
 }
 
 static double tolerance_on_axis(const cell_oracle *t, int k, const double band[3])
@@ -145,5 +145,5 @@ bool cell_oracle_errs_within(const cell_oracle *t, const tribox_box *box, unsign
 void cell_oracle_explain(FILE *out, const cell_oracle *t, const tribox_box *box)
 {
     const pair_f64 pair = pair_of(t, box);
-    oracle_explain_f64(out, &pair);
+    oracle_explain(out, &pair);
 }

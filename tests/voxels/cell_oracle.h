@@ -5,7 +5,7 @@
 #ifndef TRIBOX_TESTS_CELL_ORACLE_H
 #define TRIBOX_TESTS_CELL_ORACLE_H
 
-#include "common/oracle_f64.h"
+#include "common/oracle.h"
 
 /* One triangle, its thirteen axes and its interval on each. */
 typedef struct cell_oracle {

@@ -1,37 +1,6 @@
-#include "oracle_f64.h"
+#include "oracle.h"
 
 #include <gmp.h>
-
-static bool is_empty(const tribox_box *box)
-{
-    return box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2];
-}
-
-static oracle_integers integers_of(const pair_f64 *pair)
-{
-    double number[15];
-    for (int k = 0; k < 15; k++)
-        number[k] = pair_f64_number(pair, k);
-    return oracle_integers_of_numbers(number);
-}
-
-oracle_axes oracle_separating_f64(const pair_f64 *pair)
-{
-    const oracle_integers in = integers_of(pair);
-    return oracle_separating_integers(&in);
-}
-
-bool oracle_overlaps_f64(const pair_f64 *pair, oracle_axes truth, unsigned groups)
-{
-    return pair_f64_is_finite(pair) && !is_empty(&pair->box) && oracle_overlaps(truth, groups);
-}
-
-bool oracle_answer_f64(const pair_f64 *pair, unsigned groups)
-{
-    if (!pair_f64_is_finite(pair) || is_empty(&pair->box))
-        return false;
-    return oracle_overlaps(oracle_separating_f64(pair), groups);
-}
 
 /* A pair in integers, its extents F and distances m, and an axis with what is found along it. */
 typedef struct room {
@@ -69,7 +38,7 @@ static void raise_to(mpz_t z, const mpz_t least)
 
 static void load(room *r, const pair_f64 *pair)
 {
-    const oracle_integers in = integers_of(pair);
+    const oracle_integers in = oracle_integers_of(pair);
     for (int k = 0; k < 15; k++) {
         mpz_t *const to = k < 9 ? &r->u[k / 3][k % 3] : &r->bound[k / 3 - 3][k % 3];
         mpz_set_d(*to, (double)in.odd[k]);
@@ -151,11 +120,12 @@ static bool is_axis_near(room *r, int number)
     return mpz_cmp(r->gap, r->allowed) < 0;
 }
 
-bool oracle_is_near_f64(const pair_f64 *pair, oracle_axes truth, unsigned groups)
+bool oracle_is_near(const pair_f64 *pair, oracle_axes truth, unsigned groups)
 {
     static const unsigned box_normals = (1u << ORACLE_PLANE) - 1;
     room r;
-    bool is_near = pair_f64_is_finite(pair) && !is_empty(&pair->box) && !(groups & TRIBOX_AXES_BOX && truth.apart & box_normals);
+    bool is_near =
+        pair_f64_is_finite(pair) && !box_is_empty(&pair->box) && !(groups & TRIBOX_AXES_BOX && truth.apart & box_normals);
     for_all(&r, init);
     load(&r, pair);
     for (int k = ORACLE_PLANE; is_near && k < ORACLE_AXES; k++)
@@ -163,19 +133,4 @@ bool oracle_is_near_f64(const pair_f64 *pair, oracle_axes truth, unsigned groups
             is_near = is_axis_near(&r, k);
     for_all(&r, clear);
     return is_near;
-}
-
-void oracle_explain_f64(FILE *out, const pair_f64 *pair)
-{
-    for (int j = 0; j < 3; j++)
-        fprintf(out, "  u%d  %a %a %a\n", j, pair->u[j][0], pair->u[j][1], pair->u[j][2]);
-    fprintf(out, "  lo  %a %a %a\n", pair->box.lo[0], pair->box.lo[1], pair->box.lo[2]);
-    fprintf(out, "  hi  %a %a %a\n", pair->box.hi[0], pair->box.hi[1], pair->box.hi[2]);
-    if (!pair_f64_is_finite(pair) || is_empty(&pair->box))
-        return;
-    const oracle_axes truth = oracle_separating_f64(pair);
-    fprintf(
-        out,
-        "  axes apart %#x, touching %#x (0 to 2 the box normals, 3 the plane, 4 + 3 i + j the cross product of e_i and edge j)\n",
-        truth.apart, truth.touching);
 }
