@@ -65,34 +65,14 @@ static bool round_decimal(const decimal *d, double *number)
 __extension__ typedef unsigned __int128 uint128;
 enum { FIVES_MAX = 27 }; /* powers of five that 64 bits hold */
 
-static const uint64_t fives[FIVES_MAX + 1] = {1,
-                                              5,
-                                              25,
-                                              125,
-                                              625,
-                                              3125,
-                                              15625,
-                                              78125,
-                                              390625,
-                                              1953125,
-                                              9765625,
-                                              48828125,
-                                              244140625,
-                                              1220703125,
-                                              6103515625,
-                                              30517578125,
-                                              152587890625,
-                                              762939453125,
-                                              3814697265625,
-                                              19073486328125,
-                                              95367431640625,
-                                              476837158203125,
-                                              2384185791015625,
-                                              11920928955078125,
-                                              59604644775390625,
-                                              298023223876953125,
-                                              1490116119384765625,
-                                              7450580596923828125};
+static uint64_t five_to(int n)
+{
+    static const uint32_t low[] = {1, 5, 25, 125, 625, 3125, 15625, 78125, 390625, 1953125};
+    uint64_t power = low[n % 9];
+    for (; n >= 9; n -= 9)
+        power *= low[9];
+    return power;
+}
 
 /*
  * The top of an exact product or quotient, at least 62 bits of it, with whether there is more below: that only matters where the
@@ -104,7 +84,7 @@ static double round_top(uint64_t top, bool is_more, int scale) { return ldexp((d
 /* digits times 5^n times 2^n */
 static double round_product(uint64_t digits, int n)
 {
-    const uint128 product = (uint128)digits * fives[n];
+    const uint128 product = (uint128)digits * five_to(n);
     const uint64_t high = (uint64_t)(product >> 64), low = (uint64_t)product;
     const int zeros = high ? __builtin_clzll(high) : 64 + __builtin_clzll(low);
     const uint128 whole = product << zeros;
@@ -114,9 +94,10 @@ static double round_product(uint64_t digits, int n)
 /* digits by 5^n by 2^n: both are moved up to the top of 64 bits, so that the quotient has 63 or 64. */
 static double round_quotient(uint64_t digits, int n)
 {
-    const int up = __builtin_clzll(digits), down = __builtin_clzll(fives[n]);
+    const uint64_t five = five_to(n);
+    const int up = __builtin_clzll(digits), down = __builtin_clzll(five);
     const uint128 dividend = (uint128)(digits << up) << 63;
-    const uint64_t divisor = fives[n] << down;
+    const uint64_t divisor = five << down;
     return round_top((uint64_t)(dividend / divisor), dividend % divisor != 0, down - up - n - 63);
 }
 
