@@ -1,5 +1,5 @@
 # trade.gp - what EXACT costs and what FAST loses, a line for each scene and mesh, of the widest kernel alone.
-#   gnuplot -c trade.gp FILE.csv OUT.svg   FILE.csv: of tribox-bench sweep --csv
+#   gnuplot -c trade.gp FILE.csv OUT.png   FILE.csv: of tribox-bench sweep --csv
 csv = ARG1
 set datafile separator ","
 
@@ -19,7 +19,7 @@ errors_text(n) = n <= 0 ? "none" : n < 1 ? "less than 1 in a million" : n < 100 
 lines = words(scenes)
 width = 980.0
 height = 27.0 * lines + 120
-set terminal svg size width, height background rgb '#ffffff' noenhanced font 'DejaVu Sans,12'
+set terminal pngcairo size 1.5 * width, 1.5 * height pointscale 1.8 linewidth 1.5 noenhanced font "DejaVu Sans,13"
 set output ARG2
 set border 1 lc rgb "#606060"
 set tics nomirror scale 0.5 textcolor rgb "#303030"
@@ -36,7 +36,7 @@ set yrange [-0.7 : lines - 0.3]
 set ytics () scale 0
 set xlabel "nanoseconds per triangle" offset 0, 0.4
 set label 1 sprintf("What EXACT costs and what FAST loses (kernel %s, one thread)", widest) at screen 20 / width, \
-    screen 1 - 20 / height left font ",14"
+    screen 1 - 20 / height left font ",16"
 set label 2 "FAST" at screen 262 / width, screen 1 - 46 / height left offset 1, 0 point pt 7 ps 0.8 lc rgb "#E69F00"
 set label 3 "EXACT" at screen 340 / width, screen 1 - 46 / height left offset 1, 0 point pt 7 ps 0.8 lc rgb "#0072B2"
 set label 4 "wrong answers of FAST" at screen 790 / width, screen 1 - 46 / height left textcolor rgb "#303030"
