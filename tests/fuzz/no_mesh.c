@@ -2,7 +2,7 @@
 #include "read/mesh.h"
 
 #include "console/message.h"
-#include "read/read_by_assimp.h"
+#include "read/mesh.h"
 
 int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, 1, m); }
 

@@ -7,7 +7,7 @@
 #include "console/message.h"
 #include "materials.h"
 #include "read/assimp_part.h"
-#include "read/read_by_assimp.h"
+#include "read/mesh.h"
 #include "read/scan.h"
 
 static const char advice[] =

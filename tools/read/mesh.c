@@ -8,7 +8,6 @@
 #include "mesh_kind.h"
 #include "mesh_look.h"
 #include "plain.h"
-#include "read_by_assimp.h"
 #include "scan.h"
 
 static plain_reader *find_plain_reader(const char *path, const plain_file *file)
@@ -19,44 +18,6 @@ static plain_reader *find_plain_reader(const char *path, const plain_file *file)
     return words_next(&first) && !words_is_cut(&first) ? readers[mesh_kind_by(path, &first)] : NULL;
 }
 
-static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
-{
-    float *to[9];
-    const int code = mesh_make_room(path, all->count, m);
-    if (code)
-        return code;
-    mesh_streams(m, 0, to);
-    const tribox_status status = tribox_mesh_to_soup(all, NULL, 0, all->count, NULL, to, to + 3, to + 6);
-    m->soup.count = all->count;
-    return status ? message_failure("%s: %s", path, tribox_status_text(status)) : EXIT_CODE_OK;
-}
-
-static int take_doubles(const char *path, indexed_mesh *from, mesh *m)
-{
-    if (!from->triangles)
-        return mesh_make_room(path, 0, m);
-    mesh_set_doubles(from->positions, from->vertices, from->corners, from->triangles, m);
-    from->positions = NULL;
-    from->corners = NULL;
-    return EXIT_CODE_OK;
-}
-
-static int take_indexed(const char *path, bool is_wide, indexed_mesh *from, mesh *m)
-{
-    if (!is_wide)
-        indexed_mesh_narrow(from);
-    m->left_out = from->left_out;
-    m->miscut = from->miscut;
-    if (from->position_bytes == sizeof(double))
-        return take_doubles(path, from, m);
-    const tribox_mesh all = {.positions = from->positions,
-                             .vertices = from->vertices,
-                             .indices = from->corners,
-                             .index_bytes = sizeof *from->corners,
-                             .count = from->triangles};
-    return take_floats(path, &all, m);
-}
-
 int mesh_to_floats(const char *path, const double origin[3], mesh *m)
 {
     if (!m->is_double)
@@ -65,17 +26,17 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
     mesh_round(origin, m);
     all.position_bytes = sizeof(float);
     all.stride = 0;
-    const int code = take_floats(path, &all, m);
+    int code = mesh_make_room(path, all.count, m);
+    if (!code && !mesh_fill(&all, 1, m))
+        code = message_failure("%s: refers to vertices that there are not", path);
     free(m->positions);
     free(m->corners);
     m->positions = m->corners = NULL;
     m->is_double = false;
-    if (!code)
-        mesh_look_all(1, m);
     return code;
 }
 
-static int scan_file(const char *path, bool is_wide, mesh *m)
+int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
 {
     whole_file file;
     indexed_mesh indexed = {.positions = NULL};
@@ -89,18 +50,16 @@ static int scan_file(const char *path, bool is_wide, mesh *m)
     if (!code && kind != MESH_OTHER)
         code = scan_read(path, kind, &file, &indexed);
     whole_file_free(&file);
-    if (!code)
-        code = kind == MESH_OTHER ? read_by_assimp(path, m) : take_indexed(path, is_wide, &indexed, m);
-    indexed_mesh_free(&indexed);
-    return code;
-}
-
-int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
-{
-    const int code = scan_file(path, is_wide, m);
-    m->triangles = m->is_double ? m->doubles.count : m->soup.count;
-    if (!code)
+    if (!code && kind == MESH_OTHER) {
+        code = read_by_assimp(path, m);
+        m->triangles = m->soup.count;
         mesh_look_all(threads, m);
+    } else if (!code && !indexed.triangles) {
+        code = mesh_make_room(path, 0, m);
+    } else if (!code && !mesh_take(&indexed, is_wide, threads, m)) {
+        code = message_failure("%s: out of memory for %zu triangles", path, indexed.triangles);
+    }
+    indexed_mesh_free(&indexed);
     return code;
 }
 

@@ -64,8 +64,24 @@ void mesh_drop_floats(mesh *m);
 /* Makes it a mesh of doubles. Memory for free() goes over to it; corners: NULL for 0, 1, 2, ... */
 void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m);
 
+/* Fills room that there is for them with all triangles of `from`, rounded to floats. False where that fails. */
+bool mesh_fill(const tribox_mesh *from, unsigned threads, mesh *m);
+
+/*
+ * Makes what a reader has found a mesh of floats, where these or decimals that they give back are all its numbers; or of doubles,
+ * which go over to it. False where there is no memory.
+ */
+bool mesh_take(indexed_mesh *from, bool is_wide, unsigned threads, mesh *m);
+
 /* Rounds the doubles to floats, in place, after the origin is subtracted, and counts those that this has moved. */
 void mesh_round(const double origin[3], mesh *m);
+
+/* Reads a file of a format that libassimp knows, and applies the transforms of its scene. Returns an exit_code. */
+int read_by_assimp(const char *path, mesh *m);
+
+/* The colours of such a file's triangles, so many, as assimp_part.h has them. Returns an exit_code. */
+struct assimp_colours;
+int read_colours_by_assimp(const char *path, size_t triangles, float (*of)[3], struct assimp_colours *found);
 
 /* Reads all triangles of an open file into an empty mesh, a regular one by threads. Returns an exit_code. */
 int mesh_read_triangles(triangle_file *file, unsigned threads, mesh *m);

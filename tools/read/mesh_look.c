@@ -106,13 +106,13 @@ void mesh_look_add(const mesh *m, size_t first, size_t count, mesh_look *all)
     pthread_mutex_unlock(&lock);
 }
 
-bool mesh_look_put(const tribox_mesh *from, size_t first, mesh *m, mesh_look *all)
+bool mesh_look_put(const tribox_mesh *from, size_t begin, size_t count, size_t first, mesh *m, mesh_look *all)
 {
     float *to[9];
     mesh_streams(m, first, to);
-    if (tribox_mesh_to_soup(from, NULL, 0, from->count, NULL, to, to + 3, to + 6))
+    if (tribox_mesh_to_soup(from, NULL, begin, count, NULL, to, to + 3, to + 6))
         return false;
-    mesh_look_add(m, first, from->count, all);
+    mesh_look_add(m, first, count, all);
     return true;
 }
 
@@ -143,22 +143,52 @@ void mesh_look_keep(const mesh_look *all, mesh *m)
 }
 
 typedef struct looking {
-    const mesh *m;
+    const tribox_mesh *from; /* that the streams are filled with; NULL: they are as they will be */
+    mesh *m;
     mesh_look all;
 } looking;
 
 static bool look_at_block(void *data, unsigned thread, size_t n)
 {
     looking *const l = data;
+    const size_t first = n * BLOCK, left = l->m->triangles - first, count = left < BLOCK ? left : BLOCK;
     (void)thread;
-    const size_t first = n * BLOCK, left = l->m->triangles - first;
-    mesh_look_add(l->m, first, left < BLOCK ? left : BLOCK, &l->all);
+    if (l->from)
+        return mesh_look_put(l->from, first, count, first, l->m, &l->all);
+    mesh_look_add(l->m, first, count, &l->all);
     return true;
 }
 
-void mesh_look_all(unsigned threads, mesh *m)
+static bool look_by_threads(const tribox_mesh *from, unsigned threads, mesh *m)
 {
-    looking l = {.m = m, .all = mesh_look_none()};
-    crew_turns(threads, (m->triangles + BLOCK - 1) / BLOCK, look_at_block, &l);
+    looking l = {.from = from, .m = m, .all = mesh_look_none()};
+    const bool is_done = crew_turns(threads, (m->triangles + BLOCK - 1) / BLOCK, look_at_block, &l);
     mesh_look_keep(&l.all, m);
+    return is_done;
+}
+
+void mesh_look_all(unsigned threads, mesh *m) { look_by_threads(NULL, threads, m); }
+
+bool mesh_fill(const tribox_mesh *from, unsigned threads, mesh *m)
+{
+    m->triangles = m->soup.count = from->count;
+    return look_by_threads(from, threads, m);
+}
+
+bool mesh_take(indexed_mesh *from, bool is_wide, unsigned threads, mesh *m)
+{
+    const tribox_mesh all = {.positions = from->positions,
+                             .vertices = from->vertices,
+                             .indices = from->corners,
+                             .index_bytes = sizeof *from->corners,
+                             .count = from->triangles,
+                             .position_bytes = from->position_bytes};
+    m->left_out = from->left_out;
+    m->miscut = from->miscut;
+    if (from->position_bytes == sizeof(float) || (!is_wide && from->fit != FLOAT_FIT_NONE))
+        return mesh_take_room(from->triangles, m) && mesh_fill(&all, threads, m);
+    mesh_set_doubles(from->positions, from->vertices, from->corners, from->triangles, m);
+    from->positions = from->corners = NULL;
+    mesh_look_all(threads, m);
+    return true;
 }

@@ -17,8 +17,8 @@ void mesh_look_at(const mesh *m, size_t first, size_t count, mesh_look *look);
 /* The same of threads that look at parts of a mesh at once. */
 void mesh_look_add(const mesh *m, size_t first, size_t count, mesh_look *all);
 
-/* Puts all triangles of `from` in the streams, from `first` on, and adds them. False where it fails. */
-bool mesh_look_put(const tribox_mesh *from, size_t first, mesh *m, mesh_look *all);
+/* Puts so many triangles of `from`, from `begin` on, in the streams, from `first` on, and adds them. False where it fails. */
+bool mesh_look_put(const tribox_mesh *from, size_t begin, size_t count, size_t first, mesh *m, mesh_look *all);
 
 /* Keeps what was found in the mesh. */
 void mesh_look_keep(const mesh_look *all, mesh *m);

@@ -1,8 +1,7 @@
 /* plain_obj.c - OBJ files: lines "v X Y Z" and "f A B C ...", with A, A/T, A//N or A/T/N, and others, which count for nothing. */
 #include <string.h>
 
-#include "text_parts.h"
-#include "text_pieces.h"
+#include "text.h"
 
 /* Where no '\r' ends a line before that, and no backslash joins it with the next. */
 static const char *skip_line(const char *c, const char *limit)
@@ -15,15 +14,15 @@ static const char *skip_line(const char *c, const char *limit)
     return is_joined || memchr(c, '\r', (size_t)(text_end - c)) ? NULL : end + 1;
 }
 
-static const char *read_vertex(const char *c, const char *limit, text_piece *piece)
+static const char *read_vertex(const char *c, const char *limit, text_part *part)
 {
-    double *const position = piece->positions + 3 * piece->vertices;
+    double *const position = part->positions + 3 * part->vertices;
     for (int a = 0; a < 3; a++) {
-        c = written_number_scan(text_skip_blanks(c), &position[a], &piece->fit);
+        c = written_number_scan(text_skip_blanks(c), &position[a], &part->fit);
         if (!c || !text_ends_word(*c))
             return NULL;
     }
-    piece->vertices++;
+    part->vertices++;
     return *c == '\n' ? c + 1 : skip_line(c, limit);
 }
 
@@ -35,7 +34,7 @@ static const char *skip_slashes(const char *c)
     return c;
 }
 
-static const char *read_corner(const char *c, text_piece *piece)
+static const char *read_corner(const char *c, text_part *part)
 {
     const bool is_relative = *c == '-';
     uint64_t number = 0;
@@ -43,30 +42,30 @@ static const char *read_corner(const char *c, text_piece *piece)
     if (end == first || end > first + 10 || !number || number > UINT32_MAX)
         return NULL;
     if (is_relative) {
-        const int64_t vertex = (int64_t)piece->vertices - (int64_t)number;
-        piece->relatives[piece->relative_count++] = (text_relative){piece->corner_count, vertex};
-    } else if (number - 1 > piece->highest) {
-        piece->highest = (uint32_t)(number - 1);
+        const int64_t vertex = (int64_t)part->vertices - (int64_t)number;
+        part->relatives[part->relative_count++] = (text_relative){part->corner_count, vertex};
+    } else if (number - 1 > part->highest) {
+        part->highest = (uint32_t)(number - 1);
     }
-    piece->corners[piece->corner_count++] = (uint32_t)(number - 1);
+    part->corners[part->corner_count++] = (uint32_t)(number - 1);
     return *end == '/' ? skip_slashes(end) : end;
 }
 
-static const char *read_face(const char *c, text_piece *piece)
+static const char *read_face(const char *c, text_part *part)
 {
-    const size_t before = piece->corner_count;
+    const size_t before = part->corner_count;
     for (c = text_skip_blanks(c); c && *c != '\n' && *c != '\r'; c = c ? text_skip_blanks(c) : NULL) {
-        c = read_corner(c, piece);
+        c = read_corner(c, part);
         if (c && !text_ends_word(*c))
             return NULL;
     }
-    if (!c || piece->corner_count == before)
+    if (!c || part->corner_count == before)
         return NULL;
-    text_piece_add_face((uint32_t)(piece->corner_count - before), piece);
+    text_add_face((uint32_t)(part->corner_count - before), part);
     return text_end_line(c);
 }
 
-static const char *read_line(const char *c, const char *limit, text_piece *piece)
+static const char *read_line(const char *c, const char *limit, text_part *part)
 {
     c = text_skip_blanks(c);
     const char lower = (char)(*c | 0x20);
@@ -74,32 +73,30 @@ static const char *read_line(const char *c, const char *limit, text_piece *piece
         return NULL;
     const bool is_known = lower == 'v' || lower == 'f' || lower == 'l' || lower == 'p';
     if (*c == 'v' && text_is_blank(c[1]))
-        return read_vertex(c + 1, limit, piece);
+        return read_vertex(c + 1, limit, part);
     if (*c == 'f' && text_is_blank(c[1]))
-        return read_face(c + 1, piece);
+        return read_face(c + 1, part);
     if (is_known && !(c[1] >= 'a' && c[1] <= 'z')) {
         if ((*c != 'l' && *c != 'p') || !text_is_blank(c[1]))
             return NULL;
-        piece->left_out++;
+        part->left_out++;
     }
     return skip_line(c, limit);
 }
 
-static bool read_lines(void *data, unsigned thread, text_part *part)
+static bool read_lines(const text *t, text_part *part)
 {
-    const text_pieces *const p = data;
-    text_piece *const piece = text_pieces_begin(p, thread);
-    const char *c = piece ? part->begin : NULL;
+    const char *c = part->begin;
+    (void)t;
     while (c && c < part->limit)
-        c = read_line(c, part->limit, piece);
-    return c && text_pieces_keep(p, part->number, piece);
+        c = read_line(c, part->limit, part);
+    return c;
 }
 
 bool plain_obj(const plain_file *file, mesh *m)
 {
-    text_pieces p;
-    const bool is_read = text_pieces_make(file, text_parts_count(file, 0), &p) &&
-                         text_parts_run(file, 0, TEXT_ANY_ORDER, read_lines, &p) && text_pieces_join(&p, m);
-    text_pieces_free(&p);
+    text t = {.file = file, .read = read_lines};
+    const bool is_read = text_read(&t) && text_make(&t, m);
+    text_free(&t);
     return is_read;
 }

@@ -138,7 +138,7 @@ static bool take_faces(void *data, unsigned thread, size_t step)
                                .count = count};
     (void)thread;
     const bool is_taken = corners && ply_records_faces(&p->records, p->file->stream, first, count, corners) &&
-                          mesh_look_put(&block, first, p->m, &p->look);
+                          mesh_look_put(&block, 0, count, first, p->m, &p->look);
     reading_tell((double)first / (double)p->records.faces);
     free(corners);
     return is_taken;

@@ -1,33 +1,7 @@
-/* plain_stl.c - STL files as text in lower case. Parts of them begin with a facet, and memory is that of the mesh. */
-#include <stdatomic.h>
-#include <stdlib.h>
+/* plain_stl.c - STL files as text in lower case. Parts of them begin with a facet. */
 #include <string.h>
 
-#include "mesh_look.h"
-#include "text_parts.h"
-#include "text_pieces.h"
-
-enum { FACET_BYTES = 86 /* at least, as scan_text.c says */ };
-
-typedef struct stl_text {
-    text_pieces scratches; /* of the threads */
-    bool are_doubles;      /* a number is no float */
-    mesh *m;
-    size_t room; /* triangles at most */
-    /* of the parts that are passed */
-    size_t triangles;
-    uint64_t end;   /* in the file */
-    bool is_inside; /* a solid, there */
-    mesh_look look;
-    atomic_bool needs_doubles;
-} stl_text;
-
-/* What a part has: the facets that begin there, but for those before the first that begins a line. */
-typedef struct stl_piece {
-    size_t triangles, first;
-    uint64_t begin, end; /* in the file */
-    bool is_inside;      /* a solid, where it ends */
-} stl_piece;
+#include "text.h"
 
 static const char *skip_space(const char *c)
 {
@@ -77,24 +51,24 @@ static const char *skip_name(const char *c, const char *end)
     return memchr(c, '\r', length) || memchr(c, '\0', length) ? NULL : line_end;
 }
 
-static inline const char *read_vertex(const char *c, text_piece *piece)
+static inline const char *read_vertex(const char *c, text_part *part)
 {
-    double *const position = piece->positions + 3 * piece->vertices;
+    double *const position = part->positions + 3 * part->vertices;
     c = expect(c, "vertex");
     for (int a = 0; c && a < 3; a++) {
-        c = written_number_scan(skip_space(c), &position[a], &piece->fit);
+        c = written_number_scan(skip_space(c), &position[a], &part->fit);
         c = c && text_ends_word(*c) ? c : NULL;
     }
-    piece->vertices++;
+    part->vertices++;
     return c;
 }
 
 /* What follows "facet". */
-static const char *read_facet(const char *c, text_piece *piece)
+static const char *read_facet(const char *c, text_part *part)
 {
     c = expect(expect(skip_words(expect(c, "normal"), 3), "outer"), "loop");
     for (int v = 0; c && v < 3; v++)
-        c = read_vertex(c, piece);
+        c = read_vertex(c, part);
     return expect(expect(c, "endloop"), "endfacet");
 }
 
@@ -112,21 +86,21 @@ static const char *find_facet(const char *c, const char *limit)
 }
 
 /* Reads up to the first facet after the part's lines, or the end of the file. Returns where it stopped; NULL: not plain. */
-static const char *read_items(const char *c, const text_part *part, bool *is_inside, text_piece *piece)
+static const char *read_items(const char *c, text_part *part)
 {
     const char *next;
     for (;;) {
         c = skip_space(c);
         if (c >= part->end)
             return part->is_last ? c : NULL;
-        if (*is_inside && (next = expect(c, "facet"))) {
+        if (part->is_inside && (next = expect(c, "facet"))) {
             if (c >= part->limit)
                 return c;
-            next = read_facet(next, piece);
+            next = read_facet(next, part);
         } else {
-            next = expect(c, *is_inside ? "endsolid" : "solid");
+            next = expect(c, part->is_inside ? "endsolid" : "solid");
             next = next ? skip_name(next, part->end) : NULL;
-            *is_inside = !*is_inside;
+            part->is_inside = !part->is_inside;
         }
         c = next;
         if (!c || (c >= part->end && !part->is_last))
@@ -134,98 +108,36 @@ static const char *read_items(const char *c, const text_part *part, bool *is_ins
     }
 }
 
-/* A piece has to begin where the one before it ends, in a solid. */
-static bool join_piece(stl_text *s, text_part *part, stl_piece *piece)
+static bool read_facets(const text *t, text_part *part)
 {
-    if (!text_part_await(part))
-        return false;
-    const bool is_joined = !part->number || (piece->begin == s->end && s->is_inside);
-    piece->first = s->triangles;
-    s->triangles += piece->triangles;
-    s->end = piece->end;
-    s->is_inside = piece->is_inside;
-    const bool has_room = s->triangles <= s->room;
-    text_part_pass(part);
-    return is_joined && has_room;
-}
-
-static bool place_piece(stl_text *s, const text_piece *found, const stl_piece *piece)
-{
-    const tribox_mesh all = {
-        .positions = found->positions, .vertices = found->vertices, .count = piece->triangles, .position_bytes = sizeof(double)};
-    if (!piece->triangles)
+    const char *const begin = part->number ? find_facet(part->begin, part->limit) : part->begin;
+    (void)t;
+    if (!begin)
         return true;
-    if (!s->are_doubles)
-        return mesh_look_put(&all, piece->first, s->m, &s->look);
-    memcpy((double *)s->m->positions + 9 * piece->first, found->positions, piece->triangles * sizeof(double[9]));
+    part->is_inside = part->number;
+    const char *const end = read_items(begin, part);
+    if (!end)
+        return false;
+    part->facets_begin = part->offset + (uint64_t)(begin - part->begin);
+    part->facets_end = part->offset + (uint64_t)(end - part->begin);
     return true;
 }
 
-static bool read_part(void *data, unsigned thread, text_part *part)
+/* The facets of a part have to begin where those before them end, in a solid. */
+static bool join_facets(text *t, const text_part *part)
 {
-    stl_text *const s = data;
-    stl_piece piece = {.is_inside = part->number > 0};
-    text_piece *const found = text_pieces_begin(&s->scratches, thread);
-    const char *const begin = part->number ? find_facet(part->begin, part->limit) : part->begin;
-    if (!found || !begin)
-        return found;
-    const char *const end = read_items(begin, part, &piece.is_inside, found);
-    if (!end)
-        return false;
-    piece.begin = part->offset + (uint64_t)(begin - part->begin);
-    piece.end = part->offset + (uint64_t)(end - part->begin);
-    piece.triangles = found->vertices / 3;
-    if (!s->are_doubles && found->fit == FLOAT_FIT_NONE) {
-        s->needs_doubles = true;
-        return false;
-    }
-    return join_piece(s, part, &piece) && place_piece(s, found, &piece);
-}
-
-/* For as many triangles as the text may have: memory that is not touched is not taken. */
-static bool make_room(const plain_file *file, stl_text *s)
-{
-    const uint64_t most = file->size / FACET_BYTES + 1;
-    if (most > SIZE_MAX / sizeof(double[9]))
-        return false;
-    s->room = (size_t)most;
-    if (!s->are_doubles)
-        return mesh_take_room(most, s->m);
-    double *const positions = malloc(s->room * sizeof(double[9]));
-    if (positions)
-        mesh_set_doubles(positions, 3 * s->room, NULL, s->room, s->m);
-    return positions;
-}
-
-static void end_mesh(unsigned threads, stl_text *s)
-{
-    mesh *const m = s->m;
-    if (s->are_doubles) {
-        double *const less = realloc(m->positions, s->triangles * sizeof(double[9]));
-        mesh_set_doubles(less ? less : m->positions, 3 * s->triangles, NULL, s->triangles, m);
-        mesh_look_all(threads, m);
-    } else {
-        m->triangles = m->soup.count = s->triangles;
-        mesh_look_keep(&s->look, m);
-    }
-}
-
-static bool read_as(const plain_file *file, bool are_doubles, bool *needs_doubles, mesh *m)
-{
-    stl_text s = {.are_doubles = are_doubles, .m = m, .look = mesh_look_none()};
-    const bool is_read = text_pieces_make(file, 0, &s.scratches) && make_room(file, &s) &&
-                         text_parts_run(file, 0, TEXT_IN_ORDER, read_part, &s) && !s.is_inside && s.triangles;
-    text_pieces_free(&s.scratches);
-    *needs_doubles = s.needs_doubles;
-    if (is_read)
-        end_mesh(file->threads, &s);
-    else
-        mesh_free(m);
-    return is_read;
+    if (!part->facets_end)
+        return true;
+    const bool is_joined = !part->number || (part->facets_begin == t->facets_end && t->is_inside);
+    t->facets_end = part->facets_end;
+    t->is_inside = part->is_inside;
+    return is_joined;
 }
 
 bool plain_stl(const plain_file *file, mesh *m)
 {
-    bool needs_doubles;
-    return read_as(file, file->is_wide, &needs_doubles, m) || (needs_doubles && read_as(file, true, &needs_doubles, m));
+    text t = {.file = file, .has_no_faces = true, .read = read_facets, .join = join_facets};
+    const bool is_read = text_read(&t) && !t.is_inside && text_make(&t, m);
+    text_free(&t);
+    return is_read;
 }

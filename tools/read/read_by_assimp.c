@@ -6,7 +6,7 @@
 
 #include "assimp_part.h"
 #include "console/message.h"
-#include "read_by_assimp.h"
+#include "mesh.h"
 
 /*
  * The part stands beside the program's libraries. It is loaded for these files alone: libassimp takes twice as long

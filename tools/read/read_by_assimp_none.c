@@ -1,6 +1,6 @@
 /* read_by_assimp_none.c - what a build without libassimp says of the formats that it would read. */
 #include "console/message.h"
-#include "read_by_assimp.h"
+#include "mesh.h"
 
 static int refuse(const char *path)
 {
