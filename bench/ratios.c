@@ -7,7 +7,7 @@
 #include "common/rivals.h"
 #include "common/soups.h"
 #include "paper/paper.h"
-#include "read/indexed_mesh.h"
+#include "read/mesh.h"
 
 CONTESTANT_RUN(run_loads)
 {

@@ -16,7 +16,7 @@
 #include "files/named_file.h"
 #include "paper/paper.h"
 #include "picture/preview.h"
-#include "read/mesh_look.h"
+#include "read/mesh.h"
 #include "timing/timing.h"
 #include "voxelize/grid_choice.h"
 #include "voxelize/layers.h"

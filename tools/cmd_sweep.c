@@ -15,8 +15,8 @@
 #include "console/output.h"
 #include "console/terminal.h"
 #include "files/named_file.h"
-#include "read/mesh_kind.h"
-#include "read/mesh_shift.h"
+#include "read/mesh_file.h"
+#include "read/mesh.h"
 #include "sweep/sweep.h"
 
 static const char help[] = "tribox sweep - which order of the axes is fastest for a mesh, and why?\n"

@@ -8,7 +8,6 @@
 
 #include "console/message.h"
 #include "console/option_reader.h"
-#include "read/indexed_mesh.h"
 #include "read/mesh.h"
 #include "read/scan.h"
 #include "soups.h"

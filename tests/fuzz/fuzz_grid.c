@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "things.h"
-#include "read/mesh_look.h"
+#include "read/mesh.h"
 #include "voxelize/grid_choice.h"
 #include "lines.h"
 #include "write/voxels.h"

@@ -3,7 +3,7 @@
 #define CROP_H
 
 #include "files/named_file.h"
-#include "read/mesh_kind.h"
+#include "read/mesh_file.h"
 #include "read/triangle_file.h"
 #include "write/file_out.h"
 

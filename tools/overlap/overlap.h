@@ -7,7 +7,7 @@
 #include "console/json.h"
 #include "crop/crop.h"
 #include "read/boxes.h"
-#include "read/mesh_shift.h"
+#include "read/mesh.h"
 #include "tribox.h"
 
 typedef struct request {

@@ -5,7 +5,7 @@
 #ifndef PIECE_H
 #define PIECE_H
 
-#include "read/mesh_shift.h"
+#include "read/mesh.h"
 
 /* A binary PLY file whose triangles are read by their number: its faces refer to vertices anywhere in it. */
 typedef struct ply_piece {

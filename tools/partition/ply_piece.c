@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "files/file_map.h"
-#include "read/indexed_mesh.h"
-#include "read/ply_header.h"
+#include "read/mesh.h"
+#include "read/scan.h"
 
 enum { FACES_A_MARK = 4096, HEADER_MOST = 1 << 16, CORNERS_MOST = 1 << 20 };
 

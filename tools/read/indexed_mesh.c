@@ -1,5 +1,5 @@
 /* indexed_mesh.c - collects vertices and triangles, and cuts polygons into fans, or ear by ear. */
-#include "indexed_mesh.h"
+#include "mesh.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -5,8 +5,7 @@
 #include <stdlib.h>
 
 #include "console/message.h"
-#include "mesh_kind.h"
-#include "mesh_look.h"
+#include "mesh_file.h"
 #include "plain.h"
 #include "scan.h"
 

@@ -4,9 +4,48 @@
 
 #include <stdbool.h>
 
-#include "indexed_mesh.h"
+#include "console/written_number.h"
 #include "triangle_file.h"
 #include "tribox.h"
+
+/* What a reader finds in a file: vertices, and triangles that refer to them. Polygons are cut as they come. */
+typedef struct indexed_mesh {
+    void *positions;         /* x, y, z of each vertex */
+    unsigned position_bytes; /* 4: floats, 8: doubles, of which each is a float if `fit` says so */
+    float_fit fit;           /* the worst of all coordinates */
+    size_t vertices, vertices_max;
+    uint32_t *corners; /* three vertices of each triangle */
+    size_t triangles, triangles_max;
+    uint32_t *face; /* the corners of the face that is being read */
+    size_t face_max;
+    size_t left_out; /* points and lines */
+    size_t miscut;   /* polygons whose triangles cover more than they do */
+} indexed_mesh;
+
+/* Makes room for as many vertices at least, of floats or doubles. Returns an exit_code; path is for the message. */
+int indexed_mesh_reserve(const char *path, uint64_t vertices, unsigned position_bytes, indexed_mesh *m);
+
+/* Adds a vertex, for which there is room. */
+void indexed_mesh_add_vertex(const double position[3], indexed_mesh *m);
+
+/* Doubles that are floats, or decimals that floats give back, become floats. Others stay. */
+void indexed_mesh_narrow(indexed_mesh *m);
+
+/* Makes room for the corners of a face, in m->face. Returns an exit_code. */
+int indexed_mesh_reserve_face(const char *path, uint64_t corners, indexed_mesh *m);
+
+void indexed_mesh_position(const indexed_mesh *m, uint32_t vertex, double position[3]);
+
+/*
+ * Adds m->face, whose corners are vertices that there are: cut into a fan around its first corner that sees all of it, where there
+ * is one, else by cutting off its ears. Returns an exit_code.
+ */
+int indexed_mesh_add_face(const char *path, size_t corners, indexed_mesh *m);
+
+/* Adds one triangle. Returns an exit_code. */
+int indexed_mesh_add_triangle(const char *path, uint32_t a, uint32_t b, uint32_t c, indexed_mesh *m);
+
+void indexed_mesh_free(indexed_mesh *m);
 
 typedef struct mesh {
     size_t triangles;    /* all of them, in the order of the file; polygons are cut, degenerate triangles stay */
@@ -120,5 +159,47 @@ static inline void mesh_triangle(const mesh *m, size_t t, double u[9])
 }
 
 void mesh_free(mesh *m);
+
+/* What one look at all triangles finds: those that are not finite, and the box around the others. */
+typedef struct mesh_look {
+    size_t not_finite, first; /* the first that is not, or SIZE_MAX */
+    tribox_box bounds;        /* lo > hi where none is finite */
+} mesh_look;
+
+mesh_look mesh_look_none(void);
+
+/* Adds triangles first .. first + count - 1. Small blocks are looked at best just after they were written. */
+void mesh_look_at(const mesh *m, size_t first, size_t count, mesh_look *look);
+
+/* The same of threads that look at parts of a mesh at once. */
+void mesh_look_add(const mesh *m, size_t first, size_t count, mesh_look *all);
+
+/* Puts so many triangles of `from`, from `begin` on, in the streams, from `first` on, and adds them. False where it fails. */
+bool mesh_look_put(const tribox_mesh *from, size_t begin, size_t count, size_t first, mesh *m, mesh_look *all);
+
+/* Keeps what was found in the mesh. */
+void mesh_look_keep(const mesh_look *all, mesh *m);
+
+/* All of it, by threads. */
+void mesh_look_all(unsigned threads, mesh *m);
+
+/* What --shift subtracts from a mesh. */
+typedef struct mesh_shift {
+    bool is_wanted;
+    bool is_auto; /* `by` is chosen when the mesh is read */
+    double by[3];
+} mesh_shift;
+
+/* Reads the value of --shift, X,Y,Z or "auto". Returns an exit_code. */
+int mesh_shift_read(const char *text, mesh_shift *shift);
+
+/*
+ * mesh_read_as, and subtracts the shift from all positions, in double; the mesh is one of floats where float holds the differences.
+ * auto: round numbers near the lower corner of the mesh, in units of a power of ten that its longest side does not exceed.
+ */
+int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh *m);
+
+/* What auto chooses for a mesh of these bounds. */
+void mesh_shift_choose(const tribox_box *bounds, double by[3]);
 
 #endif

@@ -1,5 +1,5 @@
 /* mesh_look.c - looks at floats in lanes, eight triangles at once, and one by one only where some are not finite. */
-#include "mesh_look.h"
+#include "mesh.h"
 
 #include <math.h>
 #include <pthread.h>

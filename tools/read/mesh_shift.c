@@ -1,5 +1,5 @@
 /* mesh_shift.c - chooses a shift, and subtracts it from floats or doubles. */
-#include "mesh_shift.h"
+#include "mesh.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,6 @@
 
 #include "console/message.h"
 #include "console/numbers.h"
-#include "mesh_look.h"
 
 int mesh_shift_read(const char *text, mesh_shift *shift)
 {

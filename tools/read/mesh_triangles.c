@@ -7,7 +7,6 @@
 #include "console/crew.h"
 #include "console/memory.h"
 #include "console/message.h"
-#include "mesh_look.h"
 #include "reading.h"
 
 /* A regular file that goes into room for all of it. */

@@ -9,7 +9,7 @@
 #include "console/pages.h"
 #include "files/named_file.h"
 #include "little.h"
-#include "mesh_look.h"
+#include "mesh.h"
 #include "plain.h"
 #include "reading.h"
 

@@ -1,11 +1,10 @@
 /*
- * plain_text.c - files of text. OBJ: lines "v X Y Z" and "f A B C ...", with A, A/T, A//N or A/T/N, and others, which count for
- * nothing. PLY: a line for each vertex, then one for each face that begins with the list of its corners. STL in lower case: parts begin
- * with a facet.
+ * plain_text.c - OBJ: lines "v X Y Z" and "f A B C ...", with A, A/T, A//N or A/T/N, and others, which count for nothing. PLY: a
+ * line for each vertex, then for each face, which begins with the list of its corners. STL in lower case: parts begin with a facet.
  */
 #include <string.h>
 
-#include "text.h"
+#include "plain.h"
 
 static const char *skip_space(const char *c)
 {

@@ -1,5 +1,5 @@
 /* ply_header.c - reads the header of a PLY file, and refuses what it does not understand. */
-#include "ply_header.h"
+#include "scan.h"
 
 #include <inttypes.h>
 #include <stdbool.h>

@@ -2,7 +2,7 @@
  * text.c - parts are read with a little of what follows, for the lines that begin in each. What threads find there is put together
  * in the order of the file; when all is there polygons are cut, by threads again.
  */
-#include "text.h"
+#include "plain.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "console/written_number.h"
-#include "whole_file.h"
+#include "mesh_file.h"
 
 typedef struct words {
     const char *path; /* for messages; NULL to say nothing */
@@ -57,5 +57,8 @@ uint64_t words_line(const words *w);
 
 /* What to show of the last word in a message, with %.*s. */
 int words_shown(const words *w);
+
+/* By the first word of a text, which may be none: what a file says of itself counts for more than its name. */
+mesh_kind mesh_kind_by(const char *path, const words *first);
 
 #endif

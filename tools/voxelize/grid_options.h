@@ -4,7 +4,7 @@
 
 #include "console/option_reader.h"
 #include "grid_choice.h"
-#include "read/mesh_shift.h"
+#include "read/mesh.h"
 
 /* They stand together in the tables of both commands, from a number on that each chooses. */
 enum { GRID_FORMAT, GRID_SHIFT, GRID_RESOLUTION, GRID_CELL, GRID_ORIGIN, GRID_SIZE, GRID_END };
