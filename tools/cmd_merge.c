@@ -82,32 +82,14 @@ static int read_parts(merging *m, part *parts, size_t count)
     int code = EXIT_CODE_OK;
     m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
     for (size_t i = 0; i < count && !code; i++)
-        code = part_read(&parts[i], take_brick, m);
+        code = part_read(&parts[i], m->r->threads, take_brick, m);
     progress_end(&m->bar);
     return code;
-}
-
-/* Whether where each brick goes is known beforehand, so that threads can read and write parts at once. */
-static bool has_places(const merging *m)
-{
-    const result_request *const result = &m->r->result;
-    return !strcmp(result->format->word, "npz") && !result->options.is_deflated && !m->words &&
-           !file_out_is_stdout(result->out_path);
-}
-
-static int write_places(merging *m, part *parts, size_t count, file_out *out)
-{
-    m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
-    const int code = parts_npz_write(out, parts, count, m->r->threads, &m->bar);
-    progress_end(&m->bar);
-    return code ? code : file_out_keep(out);
 }
 
 static int write_bricks(merging *m, part *parts, size_t count, file_out *out)
 {
     const result_request *const result = &m->r->result;
-    if (has_places(m))
-        return write_places(m, parts, count, out);
     volume_options how = result->options;
     how.has_ids = m->has_ids;
     int code = brick_out_open(&m->out, result->format, &how, out, &m->cells);
@@ -231,7 +213,7 @@ static const char help[] =
     "\n"
     "PART... are the .npz files of 'tribox voxelize --shard I/N' for all shards, in any order. The\n"
     "result is that of a voxelization in one piece, bit for bit. If FILE is sparse, little memory is\n"
-    "needed. For .npz without --deflate threads read several parts at once.\n"
+    "needed.\n"
     "\n" RESULT_HELP "  -t, --threads T         1 to 256; default: one for each processor. The file is the same\n" OPTIONS_HELP_HELP
     "\n"
     "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"

@@ -154,7 +154,7 @@ static void read_part(part *p)
 {
     part_bricks read = {.p = p};
     lines_forget();
-    const int code = part_read(p, take_brick, &read);
+    const int code = part_read(p, 1, take_brick, &read);
     lines_fit("part_read", code);
     ensure(code || (read.bricks == p->bricks && read.cells == p->cells), "a part is not what it says");
 }

@@ -17,15 +17,9 @@ int part_open(part *p, const char *path)
     return message_failure("%s: this tribox was built without zlib, which parts need", path);
 }
 
-/* These are not called, as the check and part_open refuse. */
-int part_read(part *p, part_take *take, void *data)
+/* Not called, as part_open refuses. */
+int part_read(part *p, unsigned threads, part_take *take, void *data)
 {
-    (void)take, (void)data;
+    (void)threads, (void)take, (void)data;
     return part_open(p, p->path);
-}
-
-int parts_npz_write(file_out *out, part *parts, size_t count, unsigned threads, progress *bar)
-{
-    (void)parts, (void)count, (void)threads, (void)bar;
-    return bricks_check_npz(out->path, NULL);
 }

@@ -61,13 +61,6 @@ int part_join(part *parts, size_t count);
 typedef int part_take(void *data, const part_brick *brick, const uint32_t *ids);
 
 /* Reads a part to its end, in little memory, and refuses one that is damaged: what was taken until then is void. */
-int part_read(part *p, part_take *take, void *data);
-
-/*
- * Writes the content of an open file that is not standard output, by threads, as where the bricks of each part go is known before
- * they are read: the bytes of brick_out for the bricks of all parts, stored and not deflated. bar: of the share done. Returns an
- * exit_code.
- */
-int parts_npz_write(file_out *out, part *parts, size_t count, unsigned threads, progress *bar);
+int part_read(part *p, unsigned threads, part_take *take, void *data);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/crew.h"
 #include "console/message.h"
 #include "files/named_file.h"
 #include "npz.h"
@@ -157,16 +158,18 @@ static int refuse(const part *p, const char *why)
     return message_failure("%s: damaged: %s; run shard %u of %u again", p->path, why, p->header.shard, p->header.whole.shards);
 }
 
+static int lack_memory(const part *p) { return message_failure("out of memory for %s", p->path); }
+
 /* Where the bricks of a part have come to: they lie in its tiles, in their order. */
-typedef struct place {
+typedef struct tile_place {
     uint32_t lo[3], hi[3]; /* bricks of the tile that the last one was in */
     uint32_t last[3];
     uint64_t tile;
     bool is_begun;
-} place;
+} tile_place;
 
 /* The tile of a brick within the grid; UINT64_MAX for one outside. */
-static uint64_t enter_tile(const part_header *h, const uint32_t at[3], place *here)
+static uint64_t enter_tile(const part_header *h, const uint32_t at[3], tile_place *here)
 {
     const uint32_t side = h->whole.tile / BRICK;
     uint64_t tile = 0;
@@ -181,7 +184,7 @@ static uint64_t enter_tile(const part_header *h, const uint32_t at[3], place *he
     return tile;
 }
 
-static bool is_within(const place *here, const uint32_t at[3])
+static bool is_within(const tile_place *here, const uint32_t at[3])
 {
     bool is_in = here->is_begun;
     for (int a = 0; a < 3; a++)
@@ -215,7 +218,7 @@ static bool is_at_border(const uint32_t size[3], const uint32_t at[3])
 }
 
 /* NULL if the brick is where one may be, else why not. */
-static const char *check_brick(const part_header *h, const part_brick *b, place *here)
+static const char *check_brick(const part_header *h, const part_brick *b, tile_place *here)
 {
     if (is_within(here, b->at)) {
         if (!comes_after(b->at, here->last))
@@ -234,14 +237,22 @@ static const char *check_brick(const part_header *h, const part_brick *b, place 
     return is_at_border(size, b->at) && has_strays(size, b) ? "it has cells outside the grid" : NULL;
 }
 
-typedef struct reading {
-    part *p;
-    place here;
-    uint64_t left;
-    zip_reader from[NPZ_ARRAYS];
+/* Bricks that have been read and not yet handed on. */
+typedef struct block {
+    size_t count;
     unsigned char at[BLOCK][12], bits[BLOCK][64];
     part_brick bricks[BLOCK];
     uint32_t ids[BLOCK * BRICK_CELLS];
+} block;
+
+typedef struct reading {
+    part *p;
+    tile_place here;
+    uint64_t left;
+    zip_reader from[NPZ_ARRAYS];
+    part_take *take;
+    void *data;
+    int code; /* of the reading, which ends it */
 } reading;
 
 static part_brick brick_of(const unsigned char at[12], const unsigned char bits[64])
@@ -255,78 +266,114 @@ static part_brick brick_of(const unsigned char at[12], const unsigned char bits[
     return b;
 }
 
-static bool read_ids(reading *r, uint64_t count)
+static bool read_ids(reading *r, block *b, uint64_t count)
 {
-    if (!zip_reader_read(&r->from[NPZ_IDS], r->ids, (size_t)count * sizeof *r->ids))
+    if (!zip_reader_read(&r->from[NPZ_IDS], b->ids, (size_t)count * sizeof *b->ids))
         return false;
     for (uint64_t n = 0; n < count; n++)
-        r->ids[n] = little_get32((const unsigned char *)&r->ids[n]);
+        b->ids[n] = little_get32((const unsigned char *)&b->ids[n]);
     return true;
 }
 
-static int take_block(reading *r, size_t count, part_take *take, void *data)
+static int read_block(reading *r, block *b)
 {
-    const bool has_ids = r->p->header.whole.has_ids;
+    const part_header *const header = &r->p->header;
     uint64_t cells = 0;
-    if (!zip_reader_read(&r->from[NPZ_AT], r->at, count * sizeof *r->at) ||
-        !zip_reader_read(&r->from[NPZ_BITS], r->bits, count * sizeof *r->bits))
+    b->count = r->left < BLOCK ? (size_t)r->left : BLOCK;
+    if (!zip_reader_read(&r->from[NPZ_AT], b->at, b->count * sizeof *b->at) ||
+        !zip_reader_read(&r->from[NPZ_BITS], b->bits, b->count * sizeof *b->bits))
         return refuse(r->p, "it ends early, or its bricks are not what was written");
-    for (size_t i = 0; i < count; i++) {
-        r->bricks[i] = brick_of(r->at[i], r->bits[i]);
-        cells += r->bricks[i].cells;
+    for (size_t i = 0; i < b->count; i++) {
+        b->bricks[i] = brick_of(b->at[i], b->bits[i]);
+        cells += b->bricks[i].cells;
     }
-    if (has_ids && !read_ids(r, cells))
+    if (header->whole.has_ids && !read_ids(r, b, cells))
         return refuse(r->p, "its ids are not those of its cells");
+    for (size_t i = 0; i < b->count; i++) {
+        const char *const why = check_brick(header, &b->bricks[i], &r->here);
+        if (why)
+            return refuse(r->p, why);
+    }
     r->p->cells += cells;
-    r->left -= count;
+    r->left -= b->count;
+    return EXIT_CODE_OK;
+}
+
+/* One thread reads while another hands on what it has read. */
+static bool find_block(void *data, void *place, size_t n)
+{
+    reading *const r = data;
+    const bool is_left = r->left && !r->code;
+    (void)n;
+    if (is_left)
+        r->code = read_block(r, place);
+    return is_left && !r->code;
+}
+
+static int keep_block(void *data, void *place, size_t n)
+{
+    (void)data, (void)place, (void)n;
+    return EXIT_CODE_OK;
+}
+
+static int take_block(void *data, void *place, size_t n)
+{
+    const reading *const r = data;
+    const block *const b = place;
+    const uint32_t *ids = r->p->header.whole.has_ids ? b->ids : NULL;
     int code = EXIT_CODE_OK;
-    const uint32_t *ids = has_ids ? r->ids : NULL;
-    for (size_t i = 0; i < count && !code; i++) {
-        const char *const why = check_brick(&r->p->header, &r->bricks[i], &r->here);
-        code = why ? refuse(r->p, why) : take(data, &r->bricks[i], ids);
-        ids = ids ? ids + r->bricks[i].cells : NULL;
+    (void)n;
+    for (size_t i = 0; i < b->count && !code; i++) {
+        code = r->take(r->data, &b->bricks[i], ids);
+        ids = ids ? ids + b->bricks[i].cells : NULL;
     }
     return code;
 }
 
-static int read_bricks(reading *r, FILE *file, part_take *take, void *data)
+static void *make_block(void *data)
+{
+    (void)data;
+    return malloc(sizeof(block));
+}
+
+static int read_bricks(reading *r, FILE *file, unsigned threads)
 {
     unsigned char header[NPY_HEADER];
     const int arrays = r->p->header.whole.has_ids ? NPZ_ARRAYS : NPZ_IDS;
+    const crew_work work = {.threads = threads < 2 ? threads : 2,
+                            .each = 2,
+                            .is_told_in_order = true,
+                            .begin = make_block,
+                            .end = free,
+                            .find = find_block,
+                            .step = keep_block,
+                            .tell = take_block};
     for (int a = 0; a < arrays; a++) {
         if (!zip_reader_open(&r->from[a], file, &r->p->arrays[a]))
-            return message_failure("out of memory for %s", r->p->path);
+            return lack_memory(r->p);
         if (!zip_reader_read(&r->from[a], header, sizeof header))
             return refuse(r->p, "it ends early");
     }
-    int code = EXIT_CODE_OK;
-    while (r->left && !code)
-        code = take_block(r, r->left < BLOCK ? (size_t)r->left : BLOCK, take, data);
+    int code = crew_do(&work, r);
+    code = code == (int)MESSAGE_NO_MEMORY ? lack_memory(r->p) : code ? code : r->code;
     for (int a = 0; a < arrays && !code; a++)
         if (!zip_reader_is_whole(&r->from[a]))
             code = refuse(r->p, r->from[a].left ? "its ids are not those of its cells" : "its checksum does not match its content");
     return code;
 }
 
-int part_read(part *p, part_take *take, void *data)
+int part_read(part *p, unsigned threads, part_take *take, void *data)
 {
     uint64_t size;
     FILE *const file = open_file(p->path, &size);
-    reading *const r = file ? calloc(1, sizeof *r) : NULL;
-    int code = EXIT_CODE_FAILURE;
-    if (r) {
-        r->p = p;
-        r->left = p->bricks;
-        p->cells = 0;
-        setvbuf(file, NULL, _IONBF, 0);
-        code = read_bricks(r, file, take, data);
-        for (int a = 0; a < NPZ_ARRAYS; a++)
-            zip_reader_close(&r->from[a]);
-    } else if (file) {
-        message_failure("out of memory for %s", p->path);
-    }
-    free(r);
-    if (file)
-        fclose(file);
+    reading r = {.p = p, .left = p->bricks, .take = take, .data = data};
+    if (!file)
+        return EXIT_CODE_FAILURE;
+    p->cells = 0;
+    setvbuf(file, NULL, _IONBF, 0);
+    const int code = read_bricks(&r, file, threads);
+    for (int a = 0; a < NPZ_ARRAYS; a++)
+        zip_reader_close(&r.from[a]);
+    fclose(file);
     return code;
 }

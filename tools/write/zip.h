@@ -33,16 +33,7 @@ void zip_free(zip_out *zip);
 /* A member: its name, its bytes, and then the NPY_HEADER bytes that stand before these. */
 void zip_begin_member(zip_out *zip, const char *name);
 void zip_add(zip_out *zip, const void *bytes, size_t count);
-/* Bytes of a member that stands as it is, which are written to their place otherwise; the stream goes on after them. */
-void zip_skip(zip_out *zip, uint64_t bytes);
 void zip_end_member(zip_out *zip, const unsigned char header[NPY_HEADER]);
-
-/* The checksum of what was skipped of member `number`, which has ended; header as there. */
-void zip_set_crc(zip_out *zip, unsigned number, const unsigned char header[NPY_HEADER], uint32_t crc, uint64_t bytes);
-
-/* The checksum with more bytes, and that of two runs of bytes from that of each, and the length of the second. */
-uint32_t zip_crc(uint32_t crc, const void *bytes, size_t count);
-uint32_t zip_crc_of_both(uint32_t first, uint32_t second, uint64_t bytes);
 
 /* The list of the members. */
 void zip_end(zip_out *zip);

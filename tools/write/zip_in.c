@@ -161,7 +161,7 @@ bool zip_reader_read(zip_reader *r, void *to, size_t bytes)
         return false;
     r->at += r->inflater ? 0 : bytes;
     r->left -= bytes;
-    r->crc = zip_crc(r->crc, to, bytes);
+    r->crc = (uint32_t)crc32_z(r->crc, to, bytes);
     return true;
 }
 

@@ -127,15 +127,6 @@ void zip_add(zip_out *zip, const void *bytes, size_t count)
         write_bytes(zip, bytes, count);
 }
 
-void zip_skip(zip_out *zip, uint64_t bytes)
-{
-    zip->members[zip->count - 1].bytes += bytes;
-    zip->written += bytes;
-    fseeko(zip->to, (off_t)zip->written, SEEK_SET);
-}
-
-uint32_t zip_crc(uint32_t crc, const void *bytes, size_t count) { return (uint32_t)crc32_z(crc, bytes, count); }
-
 /* Writes again what stands before a member's bytes. */
 static void fill_in(zip_out *zip, const zip_member *m, const unsigned char header[NPY_HEADER])
 {
@@ -149,7 +140,7 @@ static void fill_in(zip_out *zip, const zip_member *m, const unsigned char heade
 }
 
 /* zlib takes the length as a long at times. */
-uint32_t zip_crc_of_both(uint32_t first, uint32_t second, uint64_t bytes)
+static uint32_t crc_of_both(uint32_t first, uint32_t second, uint64_t bytes)
 {
     const uint64_t step = (uint64_t)1 << 30;
     for (; bytes > step; bytes -= step)
@@ -162,16 +153,9 @@ void zip_end_member(zip_out *zip, const unsigned char header[NPY_HEADER])
     zip_member *const m = &zip->members[zip->count - 1];
     if (zip->deflater)
         deflate_bytes(zip, NULL, 0, Z_FINISH);
-    m->crc = zip_crc_of_both((uint32_t)crc32_z(0, header, NPY_HEADER), m->crc, m->bytes);
+    m->crc = crc_of_both((uint32_t)crc32_z(0, header, NPY_HEADER), m->crc, m->bytes);
     m->bytes += NPY_HEADER;
     m->stored = zip->written - m->start - (30 + strlen(m->name) + 20);
-    fill_in(zip, m, header);
-}
-
-void zip_set_crc(zip_out *zip, unsigned number, const unsigned char header[NPY_HEADER], uint32_t crc, uint64_t bytes)
-{
-    zip_member *const m = &zip->members[number];
-    m->crc = zip_crc_of_both(zip_crc(0, header, NPY_HEADER), crc, bytes);
     fill_in(zip, m, header);
 }
 
