@@ -9,7 +9,6 @@
 
 #include "console/clock.h"
 #include "console/message.h"
-#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
@@ -43,18 +42,16 @@ static const char help[] = "tribox demo - speed and answers on two built-in scen
                            "Example:\n"
                            "  tribox demo --quick\n";
 
-enum { OPTION_QUICK, OPTION_PICTURE };
-
-static const option_entry options[] = {
-    [OPTION_QUICK] = {"quick", 0, false}, [OPTION_PICTURE] = {"picture", 0, true}, {NULL, 0, false}};
-
 enum { ROUNDS = 15, QUICK_ROUNDS = 3, VOXEL_ROUNDS = 5, RESOLUTION = 128 };
 
 typedef struct request {
-    size_t rounds;
+    bool is_quick;
     const char *picture_path; /* NULL for none */
     file_out picture;
 } request;
+
+static const option_entry options[] = {
+    {"quick", 0, OPTION_SETS(request, is_quick)}, {"picture", 0, OPTION_NAMES(request, picture_path)}, {NULL, 0, false}};
 
 /* ---- scenes ------------------------------------------------------------------------------------------------------------------ */
 
@@ -237,16 +234,17 @@ static int show_voxels(request *r, const tribox_soup *soup)
 static int show(request *r)
 {
     static comparison c[2];
+    const size_t rounds = r->is_quick ? QUICK_ROUNDS : ROUNDS;
     int code = make_random(&c[0].work);
     if (!code)
         code = make_knot(&c[1].work);
     for (int s = 0; s < 2 && !code; s++)
-        code = compare(&c[s], r->rounds);
+        code = compare(&c[s], rounds);
     if (!code) {
         print_table(c);
         printf("\nMedians of %zu rounds on one thread, interleaved. 'paper' is the algorithm of Akenine-Moller (2001),\n"
                "a triangle at a time, compiled with -O3 -ffp-contract=fast for %s; see tribox demo --help.\n",
-               r->rounds, strcmp(paper_instruction_set(), "any") ? paper_instruction_set() : "any processor of this architecture");
+               rounds, strcmp(paper_instruction_set(), "any") ? paper_instruction_set() : "any processor of this architecture");
         code = show_voxels(r, &c[1].work.jobs[0].soup);
     }
     timing_work_free(&c[0].work);
@@ -256,37 +254,31 @@ static int show(request *r)
 
 static int take(void *context, int which, const char *value)
 {
-    request *const r = context;
-    if (which == OPTION_OPERAND)
-        return message_usage("unexpected '%s': demo takes no file", value);
-    if (which == OPTION_QUICK)
-        r->rounds = QUICK_ROUNDS;
-    else
-        r->picture_path = value;
-    return EXIT_CODE_OK;
+    (void)context, (void)which;
+    return message_usage("unexpected '%s': demo takes no file", value);
+}
+
+static int answer(void *asked, const options_found *found)
+{
+    request *const r = asked;
+    int code = preview_check(r->picture_path, "--picture");
+    (void)found;
+    if (code)
+        return code;
+    if (!r->picture_path && !r->is_quick && picture_png_is_there) {
+        if (named_file_is_writable_here())
+            r->picture_path = "tribox-demo.png";
+        else
+            message_say("note: no picture of the voxels: this folder is not writable; choose another place with --picture");
+    }
+    code = file_out_open(&r->picture, r->picture_path);
+    if (!code)
+        code = show(r);
+    file_out_drop(&r->picture);
+    return code;
 }
 
 int cmd_demo(int count, char **words)
 {
-    options_found found;
-    request r = {.rounds = ROUNDS};
-    int code = options_read(count, words, options, take, &r, &found);
-    if (code)
-        return code;
-    if (found.wants_help)
-        return output_text(help);
-    code = preview_check(r.picture_path, "--picture");
-    if (code)
-        return code;
-    if (!r.picture_path && r.rounds == ROUNDS && picture_png_is_there) {
-        if (named_file_is_writable_here())
-            r.picture_path = "tribox-demo.png";
-        else
-            message_say("note: no picture of the voxels: this folder is not writable; choose another place with --picture");
-    }
-    code = file_out_open(&r.picture, r.picture_path);
-    if (!code)
-        code = show(&r);
-    file_out_drop(&r.picture);
-    return code;
+    return options_answer(&(options_command){help, options, take, answer}, count, words, &(request){.is_quick = false});
 }

@@ -5,7 +5,7 @@
 
 #include "console/json.h"
 #include "console/message.h"
-#include "console/option_reader.h"
+#include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
 
@@ -24,7 +24,11 @@ static const char help[] = "tribox info - version, processor, and the kernels th
                            "Example:\n"
                            "  tribox info --json\n";
 
-static const option_entry options[] = {{"json", 'j', false}, {NULL, 0, false}};
+typedef struct request {
+    bool wants_json;
+} request;
+
+static const option_entry options[] = {{"json", 'j', OPTION_SETS(request, wants_json)}, {NULL, 0, false}};
 
 static int print_json(const char *processor)
 {
@@ -57,23 +61,21 @@ static int print_text(const char *processor)
     return output_flush();
 }
 
-static int take(void *request, int which, const char *value)
+static int take(void *asked, int which, const char *value)
 {
-    bool *const wants_json = request;
-    *wants_json = true;
-    return which == OPTION_OPERAND ? message_usage("unexpected '%s': info takes no file", value) : EXIT_CODE_OK;
+    (void)asked, (void)which;
+    return message_usage("unexpected '%s': info takes no file", value);
+}
+
+static int answer(void *asked, const options_found *found)
+{
+    char processor[200];
+    (void)found;
+    processors_name(processor, sizeof processor);
+    return ((const request *)asked)->wants_json ? print_json(processor) : print_text(processor);
 }
 
 int cmd_info(int count, char **words)
 {
-    bool wants_json = false;
-    options_found found;
-    const int code = options_read(count, words, options, take, &wants_json, &found);
-    if (code)
-        return code;
-    if (found.wants_help)
-        return output_text(help);
-    char processor[200];
-    processors_name(processor, sizeof processor);
-    return wants_json ? print_json(processor) : print_text(processor);
+    return options_answer(&(options_command){help, options, take, answer}, count, words, &(request){.wants_json = false});
 }

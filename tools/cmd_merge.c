@@ -223,7 +223,7 @@ static const char help[] =
 
 enum { OPTION_THREADS = RESULT_END };
 
-static const option_entry options[] = {RESULT_ENTRIES, [OPTION_THREADS] = {"threads", 't', true}, {NULL, 0, false}};
+static const option_entry options[] = {RESULT_ENTRIES(merge_request), [OPTION_THREADS] = {"threads", 't', true}, {NULL, 0, false}};
 
 static int take(void *context, int which, const char *value)
 {

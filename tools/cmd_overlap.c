@@ -6,7 +6,6 @@
 
 #include "console/message.h"
 #include "console/numbers.h"
-#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
@@ -51,30 +50,32 @@ static const char help[] =
 
 enum {
     OPTION_BOX,
-    OPTION_BOXES,
     OPTION_ORIENTED,
-    OPTION_FORMAT,
     OPTION_SHIFT,
+    OPTION_FORMAT,
     OPTION_ACCURACY,
     OPTION_KERNEL,
     OPTION_ORDER,
     OPTION_AXES,
-    OPTION_INSIDE,
-    OPTION_LIST,
-    OPTION_JSON,
-    OPTION_THREADS,
-    OPTION_OUT,
-    OPTION_REST
+    OPTION_THREADS
 };
 
-static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},         [OPTION_BOXES] = {"boxes", 0, true},
-                                       [OPTION_ORIENTED] = {"oriented", 0, true}, [OPTION_SHIFT] = {"shift", 0, true},
-                                       [OPTION_FORMAT] = {"format", 0, true},     [OPTION_ACCURACY] = {"accuracy", 0, true},
-                                       [OPTION_KERNEL] = {"kernel", 0, true},     [OPTION_ORDER] = {"order", 0, true},
-                                       [OPTION_AXES] = {"axes", 0, true},         [OPTION_INSIDE] = {"inside", 0, false},
-                                       [OPTION_LIST] = {"list", 'l', false},      [OPTION_JSON] = {"json", 'j', false},
-                                       [OPTION_THREADS] = {"threads", 't', true}, [OPTION_OUT] = {"out", 'o', true},
-                                       [OPTION_REST] = {"rest", 0, true},         {NULL, 0, false}};
+static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
+                                       [OPTION_ORIENTED] = {"oriented", 0, true},
+                                       [OPTION_SHIFT] = {"shift", 0, true},
+                                       [OPTION_FORMAT] = {"format", 0, true},
+                                       [OPTION_ACCURACY] = {"accuracy", 0, true},
+                                       [OPTION_KERNEL] = {"kernel", 0, true},
+                                       [OPTION_ORDER] = {"order", 0, true},
+                                       [OPTION_AXES] = {"axes", 0, true},
+                                       [OPTION_THREADS] = {"threads", 't', true},
+                                       {"boxes", 0, OPTION_NAMES(request, boxes_path)},
+                                       {"inside", 0, OPTION_SETS(request, wants_inside)},
+                                       {"list", 'l', OPTION_SETS(request, wants_list)},
+                                       {"json", 'j', OPTION_SETS(request, wants_json)},
+                                       {"out", 'o', OPTION_NAMES(request, crop_paths[CROP_PART])},
+                                       {"rest", 0, OPTION_NAMES(request, crop_paths[CROP_REST])},
+                                       {NULL, 0, false}};
 
 static int read_oriented(const char *text, tribox_oriented_box *box)
 {
@@ -101,9 +102,6 @@ static int take(void *context, int which, const char *value)
     case OPTION_BOX:
         r->has_box = true;
         return box_read(value, "--box", &r->box) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
-    case OPTION_BOXES:
-        r->boxes_path = value;
-        return EXIT_CODE_OK;
     case OPTION_ORIENTED:
         r->has_oriented = true;
         return read_oriented(value, &r->oriented);
@@ -111,21 +109,6 @@ static int take(void *context, int which, const char *value)
         return triangle_format_read(value, &r->format);
     case OPTION_SHIFT:
         return mesh_shift_read(value, &r->shift);
-    case OPTION_INSIDE:
-        r->wants_inside = true;
-        return EXIT_CODE_OK;
-    case OPTION_LIST:
-        r->wants_list = true;
-        return EXIT_CODE_OK;
-    case OPTION_JSON:
-        r->wants_json = true;
-        return EXIT_CODE_OK;
-    case OPTION_OUT:
-        r->crop_paths[CROP_PART] = value;
-        return EXIT_CODE_OK;
-    case OPTION_REST:
-        r->crop_paths[CROP_REST] = value;
-        return EXIT_CODE_OK;
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     default:
@@ -190,14 +173,15 @@ static int check_request(request *r)
     return code ? code : check_crop(r);
 }
 
+static int answer_request(void *asked, const options_found *found)
+{
+    const int code = check_request(asked);
+    (void)found;
+    return code ? code : overlap_work(asked);
+}
+
 int cmd_overlap(int count, char **words)
 {
-    request r = {.threads = processors_here()};
-    options_found found;
-    int code = options_read(count, words, options, take, &r, &found);
-    if (!code && found.wants_help)
-        return output_text(help);
-    if (!code)
-        code = check_request(&r);
-    return code ? code : overlap_work(&r);
+    const options_command about = {help, options, take, answer_request};
+    return options_answer(&about, count, words, &(request){.threads = processors_here()});
 }

@@ -9,7 +9,6 @@
 #include "read/boxes.h"
 #include "console/message.h"
 #include "console/numbers.h"
-#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/processors.h"
 #include "console/output.h"
@@ -56,13 +55,6 @@ static const char help[] = "tribox sweep - which order of the axes is fastest fo
                            "  tribox sweep bunny.ply\n"
                            "  tribox sweep bunny.ply --grid 64 --verbose --chart bunny.svg\n";
 
-enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_SHIFT, OPTION_QUICK, OPTION_VERBOSE, OPTION_JSON, OPTION_CHART };
-
-static const option_entry options[] = {
-    [OPTION_BOX] = {"box", 'b', true},    [OPTION_OCTREE] = {"octree", 0, true}, [OPTION_GRID] = {"grid", 0, true},
-    [OPTION_SHIFT] = {"shift", 0, true},  [OPTION_QUICK] = {"quick", 0, false},  [OPTION_VERBOSE] = {"verbose", 'v', false},
-    [OPTION_JSON] = {"json", 'j', false}, [OPTION_CHART] = {"chart", 0, true},   {NULL, 0, false}};
-
 typedef struct request {
     const char *mesh_path, *chart_path;
     mesh_shift shift;
@@ -70,6 +62,18 @@ typedef struct request {
     int wishes; /* options that say what to test against */
     bool is_quick, wants_json, wants_tables;
 } request;
+
+enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_SHIFT, OPTION_CHART };
+
+static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
+                                       [OPTION_OCTREE] = {"octree", 0, true},
+                                       [OPTION_GRID] = {"grid", 0, true},
+                                       [OPTION_SHIFT] = {"shift", 0, true},
+                                       [OPTION_CHART] = {"chart", 0, true},
+                                       {"quick", 0, OPTION_SETS(request, is_quick)},
+                                       {"verbose", 'v', OPTION_SETS(request, wants_tables)},
+                                       {"json", 'j', OPTION_SETS(request, wants_json)},
+                                       {NULL, 0, false}};
 
 static int read_box(const char *text, tribox_box *box)
 {
@@ -115,15 +119,6 @@ static int take(void *context, int which, const char *value)
         return take_wish(r, SWEEP_GRID, value);
     case OPTION_SHIFT:
         return mesh_shift_read(value, &r->shift);
-    case OPTION_QUICK:
-        r->is_quick = true;
-        return EXIT_CODE_OK;
-    case OPTION_VERBOSE:
-        r->wants_tables = true;
-        return EXIT_CODE_OK;
-    case OPTION_JSON:
-        r->wants_json = true;
-        return EXIT_CODE_OK;
     default:
         return take_chart(r, value);
     }
@@ -244,11 +239,15 @@ static int sweep_mesh(const request *r, const mesh *m, const timing_work *work, 
     return output_flush();
 }
 
-static int answer_request(request *r)
+static int answer(void *asked, const options_found *found)
 {
+    request *const r = asked;
     mesh m;
     timing_work work;
     sweep_wish wish = r->wish;
+    (void)found;
+    if (!r->mesh_path)
+        return message_usage("no mesh file given");
     int code = mesh_read_shifted(r->mesh_path, TRIANGLES_OTHER, &r->shift, processors_here(), &m);
     if (code)
         return code;
@@ -266,12 +265,5 @@ static int answer_request(request *r)
 
 int cmd_sweep(int count, char **words)
 {
-    request r = {.mesh_path = NULL, .wish = {.kind = SWEEP_OCTREE}};
-    options_found found;
-    const int code = options_read(count, words, options, take, &r, &found);
-    if (code)
-        return code;
-    if (found.wants_help)
-        return output_text(help);
-    return r.mesh_path ? answer_request(&r) : message_usage("no mesh file given");
+    return options_answer(&(options_command){help, options, take, answer}, count, words, &(request){.wish.kind = SWEEP_OCTREE});
 }

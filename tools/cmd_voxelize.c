@@ -7,7 +7,6 @@
 
 #include "console/message.h"
 #include "console/numbers.h"
-#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
@@ -62,15 +61,15 @@ enum {
     OPTION_KERNEL
 };
 
-static const option_entry options[] = {RESULT_ENTRIES,
+static const option_entry options[] = {RESULT_ENTRIES(voxelize_request),
                                        GRID_ENTRIES(OPTION_GRID),
-                                       [OPTION_COUNT] = {"count", 0, false},
-                                       [OPTION_THIN] = {"thin", 0, false},
+                                       [OPTION_COUNT] = {"count", 0, OPTION_SETS(voxelize_request, is_count)},
+                                       [OPTION_THIN] = {"thin", 0, OPTION_SETS(voxelize_request, is_thin)},
                                        [OPTION_FILL] = {"fill", 0, true},
                                        [OPTION_LABELS] = {"labels", 0, false},
                                        [OPTION_INSIDE_ONLY] = {"inside-only", 0, false},
-                                       [OPTION_COLOURS] = {"colours", 0, false},
-                                       [OPTION_IDS] = {"ids", 0, false},
+                                       [OPTION_COLOURS] = {"colours", 0, OPTION_SETS(voxelize_request, has_colours)},
+                                       [OPTION_IDS] = {"ids", 0, OPTION_SETS(voxelize_request, result.options.has_ids)},
                                        [OPTION_THREADS] = {"threads", 't', true},
                                        [OPTION_SHARD] = {"shard", 0, true},
                                        [OPTION_ACCURACY] = {"accuracy", 0, true},
@@ -108,12 +107,6 @@ static int take(void *request, int which, const char *value)
         r->from.mesh_path = r->count ? r->from.mesh_path : value;
         r->paths[r->count++] = value;
         return EXIT_CODE_OK;
-    case OPTION_COUNT:
-        r->is_count = true;
-        return EXIT_CODE_OK;
-    case OPTION_THIN:
-        r->is_thin = true;
-        return EXIT_CODE_OK;
     case OPTION_FILL:
         return read_fill(value, &r->fill);
     case OPTION_LABELS:
@@ -122,12 +115,6 @@ static int take(void *request, int which, const char *value)
         return EXIT_CODE_OK;
     case OPTION_INSIDE_ONLY:
         r->cells = FILL_CELLS_INSIDE;
-        return EXIT_CODE_OK;
-    case OPTION_COLOURS:
-        r->has_colours = true;
-        return EXIT_CODE_OK;
-    case OPTION_IDS:
-        r->result.options.has_ids = true;
         return EXIT_CODE_OK;
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
@@ -268,8 +255,9 @@ static int check_conflicts(const voxelize_request *r, const options_found *found
     return EXIT_CODE_OK;
 }
 
-static int check_request(voxelize_request *r, const options_found *found)
+static int answer(void *request, const options_found *found)
 {
+    voxelize_request *const r = request;
     int code = check_input(r, found);
     if (!code)
         code = check_conflicts(r, found);
@@ -277,7 +265,10 @@ static int check_request(voxelize_request *r, const options_found *found)
         code = check_thin(r);
     if (!code)
         code = check_cells(r, found);
-    return code ? code : r->is_count ? check_count(r, found) : check_output(r, found);
+    if (!code)
+        code = r->is_count ? check_count(r, found) : check_output(r, found);
+    reading_show(!r->result.is_quiet);
+    return code ? code : voxelize_work(r);
 }
 
 int cmd_voxelize(int count, char **words)
@@ -289,13 +280,7 @@ int cmd_voxelize(int count, char **words)
                           .result.look = PREVIEW_LOOK_DEFAULT};
     if (!r.paths)
         return message_failure("out of memory for %d arguments", count);
-    options_found found;
-    int code = options_read(count, words, options, take, &r, &found);
-    if (!code && !found.wants_help)
-        code = check_request(&r, &found);
-    reading_show(!r.result.is_quiet);
-    if (!code)
-        code = found.wants_help ? output_text(help) : voxelize_work(&r);
+    const int code = options_answer(&(options_command){help, options, take, answer}, count, words, &r);
     free(r.paths);
     return code;
 }

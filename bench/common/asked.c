@@ -212,7 +212,7 @@ int asked_main(int argc, char **argv, const bench_question *const *questions, si
     if (!of)
         return message_usage("there is no question '%s'", argv[1]);
     for (int o = 0; o < OPTIONS; o++)
-        options[o] = (option_entry){table[o].name, 0, table[o].value};
+        options[o] = (option_entry){table[o].name, 0, table[o].value != NULL};
     q->kernel = tribox_kernel_name(NULL);
     const int code = options_read(argc - skipped, argv + skipped, options, take, &(reading){q, of}, &found);
     if (code)

@@ -2,11 +2,12 @@
 #include "option_reader.h"
 
 #include <getopt.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "message.h"
+
+static bool has_value(const option_entry *entry) { return entry->takes % 2; }
 
 /* getopt_long returns FIRST + i for the long form of option i, its letter for the short one, and OPERAND. */
 enum { TABLE_MAX = 64, OPERAND = 1, FIRST = 256 };
@@ -23,10 +24,10 @@ static void make_tables(const option_entry *table, getopt_tables *made)
     *letter++ = '-'; /* operands come in their order */
     *letter++ = ':'; /* a missing value differs from an unknown option, and getopt_long prints nothing */
     for (int i = 0; table[i].name; i++) {
-        *name++ = (struct option){table[i].name, table[i].takes_value ? required_argument : no_argument, NULL, FIRST + i};
+        *name++ = (struct option){table[i].name, has_value(&table[i]) ? required_argument : no_argument, NULL, FIRST + i};
         if (table[i].letter)
             *letter++ = table[i].letter;
-        if (table[i].letter && table[i].takes_value)
+        if (table[i].letter && has_value(&table[i]))
             *letter++ = ':';
     }
     *name++ = (struct option){"help", no_argument, NULL, 'h'};
@@ -76,13 +77,26 @@ static int refuse_unknown(const option_entry *table, int number, const char *wor
 static int refuse_value(const option_entry *table, int number)
 {
     const int i = number == 'h' ? -1 : option_of(table, number);
-    return refuse_option(table, number, i >= 0 && table[i].takes_value ? "needs a value" : "takes no value");
+    return refuse_option(table, number, i >= 0 && has_value(&table[i]) ? "needs a value" : "takes no value");
 }
 
 /* "--json", where it stands for a value: a name that begins so is given as "./--json" or "--csv=--json". */
 static bool is_option(const option_entry *table, const char *word)
 {
     return !strncmp(word, "--", 2) && word[2] && count_beginning(table, word);
+}
+
+/* Into the request by the table, or as the command takes it. */
+static int take_option(const option_entry *table, int i, option_take *take, void *request)
+{
+    if (table[i].takes <= true)
+        return take(request, i, optarg);
+    void *const member = (char *)request + table[i].takes / 2 - 1;
+    if (has_value(&table[i]))
+        *(const char **)member = optarg;
+    else
+        *(bool *)member = true;
+    return EXIT_CODE_OK;
 }
 
 static int take_one(const option_entry *table, int number, const char *word, option_take *take, void *request, options_found *found)
@@ -92,10 +106,10 @@ static int take_one(const option_entry *table, int number, const char *word, opt
     const int i = option_of(table, number);
     if (options_has(found, i))
         return refuse_option(table, number, "is given twice");
-    if (table[i].takes_value && optarg == word && is_option(table, word))
+    if (has_value(&table[i]) && optarg == word && is_option(table, word))
         return message_usage("option --%s needs a value, and '%s' is an option", table[i].name, word);
     found->seen |= UINT64_C(1) << i;
-    return take(request, i, optarg);
+    return take_option(table, i, take, request);
 }
 
 int options_read(int count, char **words, const option_entry *table, option_take *take, void *request, options_found *found)

@@ -3,14 +3,19 @@
 #define OPTION_READER_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 /* Tables have at most 64 options and end with a NULL name. --help and -h are in none of them. */
 typedef struct option_entry {
     const char *name; /* "json", without the dashes */
     char letter;      /* 'j' for -j; 0 for none */
-    bool takes_value;
+    size_t takes;     /* false or true: whether it has a value, for option_take; or one of what follows */
 } option_entry;
+
+/* A member of the request that the option sets, a bool, or that its value goes to, a const char *. */
+#define OPTION_SETS(request, member) (2 * (offsetof(request, member) + 1))
+#define OPTION_NAMES(request, member) (OPTION_SETS(request, member) + true)
 
 enum { OPTION_OPERAND = -1 };
 

@@ -7,6 +7,14 @@
 
 #include "accuracy.h"
 #include "message.h"
+#include "output.h"
+
+int options_answer(const options_command *of, int count, char **words, void *request)
+{
+    options_found found;
+    const int code = options_read(count, words, of->table, of->take, request, &found);
+    return code ? code : found.wants_help ? output_text(of->help) : of->answer(request, &found);
+}
 
 int options_take_mesh(const char *operand, const char **mesh_path)
 {

@@ -2,6 +2,7 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
+#include "option_reader.h"
 #include "tribox.h"
 
 /* Lines of help that commands share. */
@@ -12,6 +13,17 @@
     "      --kernel NAME       one that 'tribox info' lists; default: the widest\n"
 
 #define OPTIONS_HELP_HELP "  -h, --help              print this text\n"
+
+/* What a command says of itself, takes, and answers. */
+typedef struct options_command {
+    const char *help;
+    const option_entry *table;
+    option_take *take;
+    int (*answer)(void *request, const options_found *found); /* returns an exit_code */
+} options_command;
+
+/* Reads everything after words[0] into the request, and answers it, or prints the help. Returns an exit_code. */
+int options_answer(const options_command *of, int count, char **words, void *request);
 
 /* Takes the operand of a command that has one mesh. Returns an exit_code. */
 int options_take_mesh(const char *operand, const char **mesh_path);

@@ -16,31 +16,16 @@ static int read_vdb_grid(const char *word, bool *is_mask)
 int result_take(result_request *r, int which, const char *value)
 {
     switch (which) {
-    case RESULT_OUT:
-        r->out_path = value;
-        return EXIT_CODE_OK;
     case RESULT_OUT_FORMAT:
         r->format = volume_format_named(value);
         return r->format ? EXIT_CODE_OK : EXIT_CODE_USAGE;
-    case RESULT_DEFLATE:
-        r->options.is_deflated = true;
-        return EXIT_CODE_OK;
     case RESULT_VDB_GRID:
         return read_vdb_grid(value, &r->options.is_mask);
-    case RESULT_PREVIEW:
-        r->preview_path = value;
-        return EXIT_CODE_OK;
     case RESULT_UP:
         r->up_source = RESULT_UP_GIVEN;
         return preview_read_up(value, &r->look.up);
-    case RESULT_PICTURE_SIZE:
-        return preview_read_size(value, &r->look);
-    case RESULT_JSON:
-        r->wants_json = true;
-        return EXIT_CODE_OK;
     default:
-        r->is_quiet = true;
-        return EXIT_CODE_OK;
+        return preview_read_size(value, &r->look);
     }
 }
 

@@ -8,7 +8,7 @@
 #include "picture/preview.h"
 #include "write/volume.h"
 
-/* They come first in the tables of both commands, whose own options start at RESULT_END. */
+/* They come first in the tables of both commands, whose requests have a `result` and whose own options start at RESULT_END. */
 enum {
     RESULT_OUT,
     RESULT_OUT_FORMAT,
@@ -22,11 +22,13 @@ enum {
     RESULT_END
 };
 
-#define RESULT_ENTRIES \
-    [RESULT_OUT] = {"out", 'o', true}, [RESULT_OUT_FORMAT] = {"out-format", 0, true}, [RESULT_DEFLATE] = {"deflate", 0, false}, \
-    [RESULT_VDB_GRID] = {"vdb-grid", 0, true}, [RESULT_PREVIEW] = {"preview", 'p', true}, [RESULT_UP] = {"up", 0, true}, \
-    [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, [RESULT_JSON] = {"json", 'j', false}, \
-    [RESULT_QUIET] = {"quiet", 'q', false}
+#define RESULT_ENTRIES(request) \
+    [RESULT_OUT] = {"out", 'o', OPTION_NAMES(request, result.out_path)}, [RESULT_OUT_FORMAT] = {"out-format", 0, true}, \
+    [RESULT_DEFLATE] = {"deflate", 0, OPTION_SETS(request, result.options.is_deflated)}, \
+    [RESULT_VDB_GRID] = {"vdb-grid", 0, true}, [RESULT_PREVIEW] = {"preview", 'p', OPTION_NAMES(request, result.preview_path)}, \
+    [RESULT_UP] = {"up", 0, true}, [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, \
+    [RESULT_JSON] = {"json", 'j', OPTION_SETS(request, result.wants_json)}, \
+    [RESULT_QUIET] = {"quiet", 'q', OPTION_SETS(request, result.is_quiet)}
 
 #define RESULT_HELP \
     "  -o, --out FILE          - is standard output, and holds nothing else. By the ending of FILE:\n            " VOLUME_HELP \
@@ -52,7 +54,7 @@ typedef struct result_request {
     bool has_summary; /* not with --quiet, nor where the file itself goes to standard output */
 } result_request;
 
-/* Takes an option before RESULT_END. Returns an exit_code. */
+/* Takes an option before RESULT_END that the table does not. Returns an exit_code. */
 int result_take(result_request *r, int which, const char *value);
 
 /* Takes y for up where the mesh is glTF by its name, whose specification has it so, and --up is not given. */
