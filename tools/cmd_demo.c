@@ -126,49 +126,27 @@ static int make_knot(timing_work *work)
 
 /* ---- times ------------------------------------------------------------------------------------------------------------------- */
 
-/* The paper's test, which is the first, and every kernel on a scene. */
-typedef struct comparison {
-    timing_work work;
-    size_t count;
-    contestant list[CONTESTANTS_MAX];
-    score scores[CONTESTANTS_MAX];
-    samples taken;
-} comparison;
-
-/* Of the rows of meshes those of the two widest kernels: the table is to fit a screen. */
-static void enter(comparison *c)
+/* The paper's test, and every kernel; of the rows of meshes those of the two widest kernels: the table is to fit a screen. */
+static int compare(contest *c, const timing_work *work, size_t rounds)
 {
     contestant all[CONTESTANTS_MAX];
-    const size_t entered = contestants_enter(&c->work, all);
+    const size_t entered = contestants_enter(work, all);
     size_t meshes = 0;
-    c->list[c->count++] = contestant_paper(&c->work, PAPER_ORDER);
+    generator order = {SCENE_SEED};
+    c->list[c->count++] = contestant_paper(work, PAPER_ORDER);
     for (size_t n = 0; n < entered; n++)
         if (!strstr(all[n].name, "-mesh") || meshes++ < 2)
             c->list[c->count++] = all[n];
-}
-
-static int compare(comparison *c, size_t rounds)
-{
-    char wrong[VERIFY_TEXT];
-    const truth from = truth_of_work(&c->work);
-    generator order = {SCENE_SEED};
-    enter(c);
-    if (!verify(c->list, c->count, &from, c->scores, wrong))
-        return message_failure("%s; nothing is timed", wrong);
-    uint64_t *const mask = malloc(c->work.words * sizeof *mask);
-    if (!mask)
-        return message_failure("out of memory for the answers");
-    measure(c->list, c->count, (effort){.rounds = rounds, .seconds = 1e9, .sample = 2e-3}, &order, mask, &c->taken);
-    free(mask);
-    return EXIT_CODE_OK;
+    const char *const wrong = contest_run(c, work, (effort){.rounds = rounds, .seconds = 1e9, .sample = 2e-3}, &order);
+    return wrong ? message_failure("%s; nothing is timed", wrong) : EXIT_CODE_OK;
 }
 
 /* The two scenes beside each other. */
-static void print_table(const comparison c[2])
+static void print_table(const contest c[2], const timing_work work[2])
 {
     printf("%22s    %-34s    %s\n%22s", "", "random triangles, as in the paper", "a mesh: a tube along a knot", "");
     for (int s = 0; s < 2; s++)
-        printf("%*s%zu, %zu overlap", s ? 17 : 4, "", c[s].work.pairs, c[s].scores[c[s].count - 1].overlapping);
+        printf("%*s%zu, %zu overlap", s ? 17 : 4, "", work[s].pairs, c[s].scores[c[s].count - 1].overlapping);
     printf("\nkernel    accuracy        ns/triangle  x paper  unlike exact    ns/triangle  x paper  unlike exact\n");
     for (size_t i = 0; i < c->count; i++) {
         const contestant *const one = &c->list[i];
@@ -233,22 +211,23 @@ static int show_voxels(request *r, const tribox_soup *soup)
 
 static int show(request *r)
 {
-    static comparison c[2];
+    static contest c[2];
+    timing_work work[2] = {{.jobs = NULL}, {.jobs = NULL}};
     const size_t rounds = r->is_quick ? QUICK_ROUNDS : ROUNDS;
-    int code = make_random(&c[0].work);
+    int code = make_random(&work[0]);
     if (!code)
-        code = make_knot(&c[1].work);
+        code = make_knot(&work[1]);
     for (int s = 0; s < 2 && !code; s++)
-        code = compare(&c[s], rounds);
+        code = compare(&c[s], &work[s], rounds);
     if (!code) {
-        print_table(c);
+        print_table(c, work);
         printf("\nMedians of %zu rounds on one thread, interleaved. 'paper' is the algorithm of Akenine-Moller (2001),\n"
                "a triangle at a time, compiled with -O3 -ffp-contract=fast for %s; see tribox demo --help.\n",
                rounds, strcmp(paper_instruction_set(), "any") ? paper_instruction_set() : "any processor of this architecture");
-        code = show_voxels(r, &c[1].work.jobs[0].soup);
+        code = show_voxels(r, &work[1].jobs[0].soup);
     }
-    timing_work_free(&c[0].work);
-    timing_work_free(&c[1].work);
+    timing_work_free(&work[0]);
+    timing_work_free(&work[1]);
     return code;
 }
 

@@ -2,7 +2,6 @@
 #include "sweep.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 const unsigned sweep_orders[SWEEP_ORDERS] = {SWEEP_DEFAULT, 123, 132, 213, 231, 312, 321};
@@ -30,17 +29,8 @@ static void enter_all(sweep *s, const timing_work *work)
 
 const char *sweep_run(sweep *s, const timing_work *work, effort how, generator *turns)
 {
-    static char wrong[VERIFY_TEXT];
-    const truth from = truth_of_work(work);
     enter_all(s, work);
-    if (!verify(s->list, s->count, &from, s->scores, wrong))
-        return wrong;
-    uint64_t *const mask = malloc((work->words + 1) * sizeof *mask);
-    if (!mask)
-        return "out of memory for the answers";
-    measure(s->list, s->count, how, turns, mask, &s->taken);
-    free(mask);
-    return NULL;
+    return contest_run(s, work, how, turns);
 }
 
 static bool is_kernel(const contestant *one, const char *kernel)

@@ -33,13 +33,7 @@ void sweep_work_describe(const sweep_wish *wish, const timing_work *work, char *
 /* The first order is the one that tribox finds as it goes. */
 enum { SWEEP_ORDERS = 7, SWEEP_ACCURACIES = 3, SWEEP_AXES = 6, SWEEP_ROUNDS = 32, SWEEP_DEFAULT = 0 };
 
-/* Contestants, what they answered, and their times. */
-typedef struct sweep {
-    size_t count;
-    contestant list[CONTESTANTS_MAX]; /* without a kernel: the paper's test */
-    score scores[CONTESTANTS_MAX];
-    samples taken;
-} sweep;
+typedef contest sweep; /* contestants without a kernel are the paper's test */
 
 extern const unsigned sweep_orders[SWEEP_ORDERS];                /* the default, then the fixed ones */
 extern const tribox_accuracy sweep_accuracies[SWEEP_ACCURACIES]; /* fast, conservative, exact */

@@ -423,6 +423,20 @@ void measure(const contestant *list, size_t count, effort how, generator *order,
     }
 }
 
+const char *contest_run(contest *c, const timing_work *work, effort how, generator *order)
+{
+    static char wrong[VERIFY_TEXT];
+    const truth from = truth_of_work(work);
+    if (!verify(c->list, c->count, &from, c->scores, wrong))
+        return wrong;
+    uint64_t *const mask = malloc((work->words + 1) * sizeof *mask);
+    if (!mask)
+        return "out of memory for the answers";
+    measure(c->list, c->count, how, order, mask, &c->taken);
+    free(mask);
+    return NULL;
+}
+
 static int by_value(const void *a, const void *b)
 {
     const double p = *(const double *)a, q = *(const double *)b;

@@ -170,6 +170,17 @@ typedef struct samples {
 /* mask: room for the answer of any of them. */
 void measure(const contestant *list, size_t count, effort how, generator *order, uint64_t *mask, samples *taken);
 
+/* Contestants, what they answered, and their times. */
+typedef struct contest {
+    size_t count;
+    contestant list[CONTESTANTS_MAX];
+    score scores[CONTESTANTS_MAX];
+    samples taken;
+} contest;
+
+/* Verifies and times those in the list about a work. Returns NULL, or what is wrong, in a text that lasts until the next call. */
+const char *contest_run(contest *c, const timing_work *work, effort how, generator *order);
+
 typedef struct spread {
     double least, lower_quartile, median, upper_quartile;
 } spread;
