@@ -33,7 +33,7 @@ const char *sweep_run(sweep *s, const timing_work *work, effort how, generator *
     return contest_run(s, work, how, turns);
 }
 
-static bool is_kernel(const contestant *one, const char *kernel)
+bool sweep_is_of(const contestant *one, const char *kernel)
 {
     return kernel && one->options.kernel ? !strcmp(one->options.kernel, kernel) : one->options.kernel == kernel;
 }
@@ -41,7 +41,7 @@ static bool is_kernel(const contestant *one, const char *kernel)
 const contestant *sweep_find(const sweep *s, const char *kernel, tribox_accuracy accuracy, unsigned axes, unsigned order)
 {
     for (const contestant *one = s->list; one < s->list + s->count; one++)
-        if (is_kernel(one, kernel) && one->options.accuracy == accuracy && one->options.axes == axes &&
+        if (sweep_is_of(one, kernel) && one->options.accuracy == accuracy && one->options.axes == axes &&
             one->options.axis_order == order)
             return one;
     return NULL;

@@ -48,6 +48,9 @@ extern const unsigned sweep_axes[SWEEP_AXES];
  */
 const char *sweep_run(sweep *s, const timing_work *work, effort how, generator *turns);
 
+/* Whether it is of this kernel or, for NULL, the paper's test. */
+bool sweep_is_of(const contestant *one, const char *kernel);
+
 /* The contestant with these options, or NULL. A kernel of NULL is the paper's test, whose accuracy is FAST and order fixed. */
 const contestant *sweep_find(const sweep *s, const char *kernel, tribox_accuracy accuracy, unsigned axes, unsigned order);
 

@@ -10,18 +10,6 @@
 static const char *const axis_names[WHY_AXES] = {"x",   "y",   "z",   "plane", "xe0", "xe1", "xe2",
                                                  "ye0", "ye1", "ye2", "ze0",   "ze1", "ze2"};
 
-/*
- * The contestants of a kernel stand together after those of the paper's test; the first of the next kernel, or NULL after the
- * last.
- */
-static const contestant *next_kernel(const sweep *s, const contestant *after)
-{
-    for (const contestant *e = after ? after + 1 : s->list; e < s->list + s->count; e++)
-        if (e->options.kernel && (!after || strcmp(e->options.kernel, after->options.kernel) != 0))
-            return e;
-    return NULL;
-}
-
 static void print_row(const sweep *s, const char *kernel, tribox_accuracy accuracy)
 {
     const contestant *const best = sweep_best(s, kernel, accuracy);
@@ -56,9 +44,9 @@ static void print_times(const sweep *s)
         printf(" %7u", sweep_orders[o]);
     printf("   faster than default\n");
     print_row(s, NULL, TRIBOX_FAST);
-    for (const contestant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
+    for (size_t k = 0; tribox_kernel_list(k); k++)
         for (int a = 0; a < SWEEP_ACCURACIES; a++)
-            print_row(s, k->options.kernel, sweep_accuracies[a]);
+            print_row(s, tribox_kernel_list(k), sweep_accuracies[a]);
 }
 
 static void print_axes_row(const sweep *s, unsigned axes, size_t pairs)
@@ -66,8 +54,8 @@ static void print_axes_row(const sweep *s, unsigned axes, size_t pairs)
     static const char *const names[] = {"", "box", "plane", "box,plane", "edges", "box,edges", "plane,edges", "all"};
     size_t reported = 0, unlike = 0;
     printf("%-12s", names[axes]);
-    for (const contestant *k = next_kernel(s, NULL); k; k = next_kernel(s, k)) {
-        const contestant *const e = sweep_find(s, k->options.kernel, TRIBOX_EXACT, axes, SWEEP_DEFAULT);
+    for (size_t k = 0; tribox_kernel_list(k); k++) {
+        const contestant *const e = sweep_find(s, tribox_kernel_list(k), TRIBOX_EXACT, axes, SWEEP_DEFAULT);
         printf(" %8.3f", sweep_time(s, e));
         reported = sweep_score(s, e)->overlapping;
         unlike = score_unlike(sweep_score(s, e));
@@ -78,8 +66,8 @@ static void print_axes_row(const sweep *s, unsigned axes, size_t pairs)
 static void print_axes(const sweep *s, const why *w)
 {
     printf("Axes left out, EXACT: nanoseconds per pair, and pairs that are reported and do not overlap\n\n%-12s", "axes");
-    for (const contestant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
-        printf(" %8s", k->options.kernel);
+    for (size_t k = 0; tribox_kernel_list(k); k++)
+        printf(" %8s", tribox_kernel_list(k));
     printf(" %12s %12s %9s\n", "reported", "false", "% of all");
     print_axes_row(s, TRIBOX_AXES_ALL, w->pairs);
     for (int x = 0; x < SWEEP_AXES; x++)
@@ -305,18 +293,11 @@ static void draw_bar(FILE *to, int x, int base, double height, int order, double
             figure);
 }
 
-/* The time of the fastest order of a kernel at an accuracy. */
-static double least_of(const sweep *s, const char *kernel, tribox_accuracy accuracy)
-{
-    const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
-    const double best = sweep_time(s, sweep_best(s, kernel, accuracy));
-    return plain ? fmin(best, sweep_time(s, plain)) : best;
-}
-
 /* The bars of a kernel at an accuracy, from x on. most: the time of a bar as high as the panel. */
 static void draw_group(FILE *to, const sweep *s, const char *kernel, tribox_accuracy accuracy, int x, int base, double most)
 {
-    const double least = least_of(s, kernel, accuracy);
+    const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
+    const double best = sweep_time(s, sweep_best(s, kernel, accuracy)), least = plain ? fmin(best, sweep_time(s, plain)) : best;
     for (int o = 0; o < SWEEP_ORDERS; o++) {
         const contestant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
         const double ns = one ? sweep_time(s, one) : 0;
@@ -325,19 +306,6 @@ static void draw_group(FILE *to, const sweep *s, const char *kernel, tribox_accu
     }
     text_at(to, x + SWEEP_ORDERS * BAR / 2.0, base + 17, "font-size=\"12\" text-anchor=\"middle\"",
             kernel ? accuracy_word(accuracy) : "as published");
-}
-
-/* The slowest order of a kernel at any accuracy. */
-static double most_of(const sweep *s, const char *kernel)
-{
-    double most = 0;
-    for (int a = 0; a < SWEEP_ACCURACIES; a++)
-        for (int o = 0; o < SWEEP_ORDERS; o++) {
-            const contestant *const one = sweep_find(s, kernel, sweep_accuracies[a], TRIBOX_AXES_ALL, sweep_orders[o]);
-            if (one && sweep_time(s, one) > most)
-                most = sweep_time(s, one);
-        }
-    return most;
 }
 
 /* 1, 2 or 5 times a power of ten: the distance of three to six marks up to `most`. */
@@ -366,7 +334,11 @@ static void draw_axis(FILE *to, int base, double most, double top)
 static void draw_panel(FILE *to, const sweep *s, const char *kernel, int top)
 {
     const int base = top + PANEL;
-    const double most = most_of(s, kernel), step = step_for(most), highest = step * ceil(most / step);
+    double most = 0;
+    for (const contestant *one = s->list; one < s->list + s->count; one++)
+        if (sweep_is_of(one, kernel) && one->options.axes == TRIBOX_AXES_ALL)
+            most = fmax(most, sweep_time(s, one));
+    const double step = step_for(most), highest = step * ceil(most / step);
     draw_axis(to, base, most, highest);
     text_at(to, 16, top - 8, "font-size=\"15\"", kernel ? kernel : "paper");
     for (int a = 0; a < (kernel ? SWEEP_ACCURACIES : 1); a++)

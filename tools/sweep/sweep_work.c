@@ -109,17 +109,12 @@ static const char *make_cells(const tribox_soup *soup, unsigned along, timing_wo
 
 /* ---- leaves of an octree ----------------------------------------------------------------------------------------------------- */
 
-typedef struct node {
-    tribox_box box;
-    size_t first, count; /* its triangles, in the level's list */
-} node;
-
-/* The nodes of one level that have triangles. */
-typedef struct level {
-    node *nodes;
-    uint32_t *list;
-    size_t node_count, list_count;
-} level;
+/* The nodes that divide last, in three passes: `pairs` counts all, `room` that of each `step`-th, and these at last become jobs. */
+typedef struct octree {
+    const tribox_soup *soup;
+    size_t pairs, step, nodes, room;
+    timing_work *work; /* NULL before the last pass */
+} octree;
 
 /* The depth at which a leaf of a surface of that many triangles has about 16 of them. */
 static unsigned depth_for(size_t triangles)
@@ -128,30 +123,6 @@ static unsigned depth_for(size_t triangles)
     for (size_t leaves = 4; depth < OCTREE_DEPTH_MOST && 16 * leaves < triangles; leaves *= 4)
         depth++;
     return depth;
-}
-
-static bool make_room(level *l, size_t nodes, size_t triangles)
-{
-    *l = (level){.nodes = malloc((nodes + 1) * sizeof *l->nodes), .list = malloc((triangles + 1) * sizeof *l->list)};
-    return l->nodes && l->list;
-}
-
-static void level_free(level *l)
-{
-    free(l->nodes);
-    free(l->list);
-}
-
-static void fill_root(const tribox_soup *soup, level *root)
-{
-    tribox_box all = cube_over(soup);
-    for (size_t i = 0; i < soup->count; i++)
-        if (is_finite(soup, i))
-            root->list[root->list_count++] = (uint32_t)i;
-    for (int a = 0; a < 3; a++)
-        all.hi[a] = (float)all.hi[a];
-    root->nodes[0] = (node){all, 0, root->list_count};
-    root->node_count = root->list_count > 0;
 }
 
 /* A float, and the same for all nodes between the same planes: neighbours share their faces to the bit. */
@@ -171,76 +142,70 @@ static tribox_box child_box(const tribox_box *box, size_t child)
     return own;
 }
 
-/* Which children each triangle of each node overlaps, and how many they are. */
-static bool split_all(const tribox_soup *soup, const level *l, uint8_t *children, size_t *found)
+/* A job for each child of a node, of so many nodes that there are about PAIRS pairs. */
+static void divide_last(octree *o, const tribox_box *box, const uint32_t *list, size_t count)
 {
-    for (size_t n = 0; n < l->node_count; n++) {
-        const node *const at = &l->nodes[n];
-        tribox_report report;
-        double middle[3];
-        middle_of(&at->box, middle);
-        if (tribox_split(soup, l->list + at->first, at->count, &at->box, middle, NULL, children + at->first, &report))
-            return false;
-        *found += report.overlapping;
+    o->pairs += CHILDREN * count;
+    if (o->nodes++ % o->step)
+        return;
+    o->room += timing_work_room(count);
+    if (!o->work)
+        return;
+    const timing_job job = timing_work_copy(o->work, o->soup, list, count);
+    for (size_t child = 0; child < CHILDREN; child++) {
+        const tribox_box part = child_box(box, child);
+        timing_work_add(o->work, &job, &part);
     }
-    return true;
 }
 
-/* The next level, of the children that have triangles, in its place. */
-static bool divide(const tribox_soup *soup, level *l)
+/* Goes to the children that have triangles, `depth` levels down. False where there is no memory. */
+static bool descend(octree *o, const tribox_box *box, const uint32_t *list, size_t count, unsigned depth)
 {
-    uint8_t *const children = malloc(l->list_count + 1);
-    size_t found = 0;
-    level next = {.nodes = NULL};
-    const bool is_done = children && split_all(soup, l, children, &found) &&
-                         make_room(&next, found < CHILDREN * l->node_count ? found : CHILDREN * l->node_count, found);
-    for (size_t k = 0; is_done && k < CHILDREN * l->node_count; k++) {
-        const node *const parent = &l->nodes[k / CHILDREN];
-        node *const own = &next.nodes[next.node_count];
-        *own = (node){child_box(&parent->box, k % CHILDREN), next.list_count, 0};
-        for (size_t i = parent->first; i < parent->first + parent->count; i++)
-            if (children[i] >> k % CHILDREN & 1)
-                next.list[next.list_count++] = l->list[i];
-        own->count = next.list_count - own->first;
-        next.node_count += own->count > 0;
+    double middle[3];
+    if (!depth) {
+        divide_last(o, box, list, count);
+        return true;
+    }
+    middle_of(box, middle);
+    uint8_t *const children = malloc(count);
+    uint32_t *const own = malloc(count * sizeof *own);
+    bool is_done = children && own && !tribox_split(o->soup, list, count, box, middle, NULL, children, NULL);
+    for (size_t child = 0; is_done && child < CHILDREN; child++) {
+        const tribox_box part = child_box(box, child);
+        size_t found = 0;
+        for (size_t i = 0; i < count; i++) {
+            own[found] = list[i];
+            found += children[i] >> child & 1;
+        }
+        is_done = !found || descend(o, &part, own, found, depth - 1);
     }
     free(children);
-    level_free(l);
-    *l = next;
+    free(own);
     return is_done;
-}
-
-/* The last division, as work: a job for each child of a node, of so many nodes that there are about PAIRS pairs. */
-static bool add_jobs(const tribox_soup *soup, const level *last, timing_work *work)
-{
-    const size_t pairs = CHILDREN * last->list_count, step = pairs / PAIRS + 1;
-    size_t room = 0, nodes = 0;
-    for (size_t n = 0; n < last->node_count; n += step, nodes++)
-        room += timing_work_room(last->nodes[n].count);
-    if (!timing_work_make(work, CHILDREN * nodes, room))
-        return false;
-    for (size_t n = 0; n < last->node_count; n += step) {
-        const node *const parent = &last->nodes[n];
-        const timing_job job = timing_work_copy(work, soup, last->list + parent->first, parent->count);
-        for (size_t child = 0; child < CHILDREN; child++) {
-            const tribox_box box = child_box(&parent->box, child);
-            timing_work_add(work, &job, &box);
-        }
-    }
-    return true;
 }
 
 /* Divides the cube `depth` times, each time keeping what overlaps. */
 static const char *make_octree(const tribox_soup *soup, unsigned depth, timing_work *work)
 {
-    level at;
-    bool is_done = make_room(&at, 1, soup->count);
-    if (is_done)
-        fill_root(soup, &at);
-    for (unsigned divided = 1; is_done && divided < depth; divided++)
-        is_done = divide(soup, &at);
-    is_done = is_done && add_jobs(soup, &at, work);
-    level_free(&at);
+    uint32_t *const list = malloc(soup->count * sizeof *list);
+    tribox_box all = cube_over(soup);
+    size_t count = 0;
+    for (size_t i = 0; list && i < soup->count; i++)
+        if (is_finite(soup, i))
+            list[count++] = (uint32_t)i;
+    for (int a = 0; a < 3; a++)
+        all.hi[a] = (float)all.hi[a];
+    octree o = {.soup = soup, .step = 1};
+    bool is_done = list && descend(&o, &all, list, count, depth - 1);
+    o = (octree){.soup = soup, .step = o.pairs / PAIRS + 1};
+    is_done =
+        is_done && descend(&o, &all, list, count, depth - 1) && timing_work_make(work, CHILDREN * (o.nodes / o.step + 1), o.room);
+    o = (octree){.soup = soup, .step = o.step, .work = work};
+    if (is_done && !descend(&o, &all, list, count, depth - 1)) {
+        timing_work_free(work);
+        is_done = false;
+    }
+    free(list);
     return is_done ? NULL : "out of memory for the octree";
 }
 
