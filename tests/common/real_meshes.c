@@ -32,28 +32,36 @@ void mesh_triangle(const mesh *m, size_t i, float u[3][3])
             u[j][a] = m->coordinate[j][a][i];
 }
 
+static void try_file(const arguments *args, mesh_trial *try_mesh, const char *name)
+{
+    char path[4096];
+    const int length = snprintf(path, sizeof path, "%s/%s", args->meshes, name);
+    assert_in_range(length, 1, sizeof path - 1);
+    mesh m;
+    if (!mesh_read(path, &m))
+        fail_msg("%s could not be read", name);
+    try_mesh(args, name, &m);
+    fflush(stdout);
+    mesh_free(&m);
+}
+
+void real_meshes_try(const arguments *args, mesh_trial *try_mesh)
+{
+    if (!args->meshes)
+        skip();
+    for (size_t k = 0; k < sizeof files / sizeof files[0]; k++)
+        try_file(args, try_mesh, files[k]);
+}
+
 typedef struct mesh_test {
     arguments args;
     mesh_trial *try_mesh;
 } mesh_test;
 
-static void try_file(const mesh_test *test, const char *name)
-{
-    char path[4096];
-    const int length = snprintf(path, sizeof path, "%s/%s", test->args.meshes, name);
-    assert_in_range(length, 1, sizeof path - 1);
-    mesh m;
-    if (!mesh_read(path, &m))
-        fail_msg("%s could not be read", name);
-    test->try_mesh(&test->args, name, &m);
-    fflush(stdout);
-    mesh_free(&m);
-}
-
 static void test_meshes(void **state)
 {
-    for (size_t k = 0; k < sizeof files / sizeof files[0]; k++)
-        try_file(*state, files[k]);
+    const mesh_test *const test = *state;
+    real_meshes_try(&test->args, test->try_mesh);
 }
 
 int real_meshes_main(int argc, char **argv, mesh_trial *try_mesh)

@@ -174,6 +174,7 @@ static size_t take_share(random_source *r, brick_kind kind, size_t from, size_t 
     const guarded g = guarded_make(bytes);
     void *const scratch = guarded_tail(g, bytes - offset);
     const unsigned normal = environment_get(), set = setting((unsigned)random_int(r, SETTINGS));
+    const soup_or_mesh of = cells_all(&drawn.of);
     tribox_report report;
     if (drawn.tile < LARGE)
         memset(scratch, random_int(r, 2) ? 0 : 0xff, bytes - offset);
@@ -182,7 +183,7 @@ static size_t take_share(random_source *r, brick_kind kind, size_t from, size_t 
     book.book.environment = set;
     environment_set(set);
     const tribox_status status =
-        tile_case_bricks(&drawn, from, to, lists->starts + from, lists->list, scratch, &sinks[kind], &report);
+        tile_case_bricks(&drawn, &of, from, to, lists->starts + from, lists->list, scratch, &sinks[kind], &report);
     const unsigned left = environment_get();
     environment_set(normal);
     assert_int_equal(left, set);

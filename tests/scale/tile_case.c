@@ -9,8 +9,6 @@
 
 enum { TRIANGLES = 70 };
 
-static double not_a_number(random_source *r) { return random_int(r, 2) ? NAN : random_int(r, 2) ? INFINITY : -INFINITY; }
-
 /* Some corners on a plane between tiles, or next to it. */
 static void move_to_tiles(random_source *r, const tile_case *c, double u[3][3])
 {
@@ -32,8 +30,6 @@ static void draw_triangles(random_source *r, tile_case *c)
         memcpy(u, c->of.u[--c->of.count], sizeof u);
         if (random_int(r, 3) == 0)
             move_to_tiles(r, c, u);
-        if (random_int(r, 20) == 0)
-            u[random_int(r, 3)][random_int(r, 3)] = not_a_number(r);
         cells_put(&c->of, u);
     }
 }
@@ -99,16 +95,15 @@ tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, siz
     return CALL(tile_lists_part, &of, first, count, &c->of.grid, &tiles, &c->of.options, places, list);
 }
 
-tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
-                               void *scratch, const any_sink *sink, tribox_report *report)
+tribox_status tile_case_bricks(const tile_case *c, const soup_or_mesh *of, size_t from, size_t to, const size_t *starts,
+                               const uint32_t *list, void *scratch, const any_sink *sink, tribox_report *report)
 {
-    const soup_or_mesh of = cells_all(&c->of);
     const tribox_tiles tiles = {c->tile, from, to - from};
     if (sink->ids.take)
-        return CALL(bricks_ids, &of, &c->of.grid, &tiles, starts, list, &c->of.options, scratch, &sink->ids, report);
+        return CALL(bricks_ids, of, &c->of.grid, &tiles, starts, list, &c->of.options, scratch, &sink->ids, report);
     if (sink->lists.take)
-        return CALL(bricks_lists, &of, &c->of.grid, &tiles, starts, list, &c->of.options, scratch, &sink->lists, report);
-    return CALL(bricks, &of, &c->of.grid, &tiles, starts, list, &c->of.options, scratch, &sink->bits, report);
+        return CALL(bricks_lists, of, &c->of.grid, &tiles, starts, list, &c->of.options, scratch, &sink->lists, report);
+    return CALL(bricks, of, &c->of.grid, &tiles, starts, list, &c->of.options, scratch, &sink->bits, report);
 }
 
 size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied)

@@ -27,14 +27,14 @@ tribox_status tile_case_list(const tile_case *c, size_t from, size_t to, size_t 
 tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, size_t from, size_t to, size_t *places,
                              uint32_t *list);
 
-/* By the one of three sinks that there is. */
+/* Of triangles handed over before, as laying them out needs an environment; by the one of three sinks that there is. */
 typedef struct any_sink {
     tribox_sink bits;
     tribox_ids_sink ids;
     tribox_lists_sink lists;
 } any_sink;
-tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
-                               void *scratch, const any_sink *sink, tribox_report *report);
+tribox_status tile_case_bricks(const tile_case *c, const soup_or_mesh *of, size_t from, size_t to, const size_t *starts,
+                               const uint32_t *list, void *scratch, const any_sink *sink, tribox_report *report);
 
 /* Ids are written where a bit is set; those of the whole grid with its bits, which are zero before. */
 void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint64_t *occupied, uint32_t *ids);

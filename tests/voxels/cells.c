@@ -7,17 +7,25 @@
 #include "common/contact.h"
 #include "common/guard.h"
 #include "common/harness.h"
+#include "common/laid_mesh.h"
 #include "common/window_bits.h"
 
 static const double band_of_cell = 0x1p-7, band_of_distance = 0x1p-40, band_of_planes = 4;
 
 void cells_open(cells_case *c) { c->at = (tribox_window){{0, 0, 0}, {c->grid.size[0], c->grid.size[1], c->grid.size[2]}}; }
 
-void cells_draw_window(cells_case *c, random_source *r)
+void cells_draw_window(random_source *r, const tribox_window *in, const uint32_t most[3], tribox_window *w)
 {
+    static const uint32_t lengths[] = {1, 2, 63, 64, 65, 130};
     for (int a = 0; a < 3; a++) {
-        c->at.first[a] = (uint32_t)random_below(r, c->grid.size[a]);
-        c->at.size[a] = (uint32_t)random_below(r, c->grid.size[a] - c->at.first[a]) + 1;
+        const uint32_t limit = most[a] < in->size[a] ? most[a] : in->size[a], beside = lengths[random_int(r, 6)];
+        const bool is_beside = a == 0 && beside <= limit && random_int(r, 2);
+        w->size[a] = is_beside ? beside : (uint32_t)random_below(r, limit) + 1;
+        const uint32_t last = in->size[a] - w->size[a], anywhere = (uint32_t)random_below(r, (size_t)last + 1);
+        const int way = random_int(r, 4);
+        w->first[a] = in->first[a] + (way == 0 ? 0 : way == 1 ? last : anywhere);
+        if (way == 2 && (anywhere | 63) + 2 <= last)
+            w->first[a] = in->first[a] + (anywhere | 63) + (uint32_t)random_int(r, 3);
     }
 }
 
@@ -45,40 +53,31 @@ void cells_put(cells_case *c, double u[3][3])
 {
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) {
-            c->narrow[c->count][j][a] = c->stream[3 * a + j][c->count] = (float)u[j][a];
+            c->stream[3 * a + j][c->count] = (float)u[j][a];
             c->u[c->count][j][a] = c->is_double ? u[j][a] : (double)(float)u[j][a];
         }
     c->count += c->count < CELLS_TRIANGLES - 1;
 }
 
-static soup_or_mesh part_in_form(const cells_case *c, cells_form in, size_t first, size_t count, const int vertex[3])
+/* Meshes are laid out anew each time, in any way, into the same memory. */
+static soup_or_mesh part_in_form(const cells_case *c, cells_form in, size_t first, size_t count)
 {
-    static uint32_t indices[3 * CELLS_TRIANGLES];
+    static laid_fences fences;
+    static random_source r;
     const bool is_wide = c->is_double || in == DOUBLES;
-    soup_or_mesh of = {.soup = {.count = count}, .is_mesh = is_wide || in != SOUP};
-    for (int v = 0; v < 3; v++) {
-        of.soup.x[v] = c->stream[vertex[v]] + first;
-        of.soup.y[v] = c->stream[3 + vertex[v]] + first;
-        of.soup.z[v] = c->stream[6 + vertex[v]] + first;
-    }
-    of.mesh = mesh_of_corners(is_wide ? (const void *)(c->u + first) : c->narrow + first, count, is_wide ? 8 : 4);
-    if (in == INDEXED && !is_wide) {
-        for (uint32_t n = 0; n < 3 * CELLS_TRIANGLES && !indices[1]; n++)
-            indices[3 * CELLS_TRIANGLES - 1 - n] = 3 * CELLS_TRIANGLES - 1 - n;
-        of.mesh = mesh_of_corners(c->narrow, c->count, 4);
-        of.mesh.indices = indices + 3 * first;
-        of.mesh.index_bytes = 4;
-        of.mesh.count = count;
-    }
+    soup_or_mesh of = {.soup = soup_of_rows(c->stream[0] + first, CELLS_TRIANGLES, count), .is_mesh = is_wide || in != SOUP};
+    if (!of.is_mesh)
+        return of;
+    if (!fences.positions.first)
+        fences = laid_fences_make(args.seed);
+    mesh_form form = mesh_form_draw(&r, !is_wide);
+    form.position_bytes = !is_wide && form.position_bytes == 8 ? 4 : form.position_bytes;
+    of.mesh = laid_mesh_of(&r, &form, c->u + first, count, permutations[0], fences);
     return of;
 }
 
-soup_or_mesh cells_part(const cells_case *c, size_t first, size_t count, const int vertex[3])
-{
-    return part_in_form(c, c->form, first, count, vertex);
-}
-
-soup_or_mesh cells_all(const cells_case *c) { return cells_part(c, 0, c->count, permutations[0]); }
+soup_or_mesh cells_part(const cells_case *c, size_t first, size_t count) { return part_in_form(c, c->form, first, count); }
+soup_or_mesh cells_all(const cells_case *c) { return cells_part(c, 0, c->count); }
 
 uint64_t *cells_make(size_t words)
 {
@@ -167,15 +166,15 @@ size_t cells_expect(const cells_case *c, size_t first, size_t count, unsigned ax
     return asked;
 }
 
-void cells_cut(const cells_case *c, const uint64_t *whole, uint64_t *occupied)
+void cells_cut(const cells_case *c, const tribox_window *from, const uint64_t *all, uint64_t *occupied)
 {
     const tribox_window *const w = &c->at;
+    const uint32_t at[3] = {w->first[0] - from->first[0], w->first[1] - from->first[1], w->first[2] - from->first[2]};
     memset(occupied, 0, cells_words(c) * sizeof *occupied);
     for (uint32_t k = 0; k < w->size[2]; k++)
         for (uint32_t j = 0; j < w->size[1]; j++)
             for (uint32_t i = 0; i < w->size[0]; i++)
-                window_put(w->size, occupied, i, j, k,
-                           window_bit(c->grid.size, whole, w->first[0] + i, w->first[1] + j, w->first[2] + k));
+                window_put(w->size, occupied, i, j, k, window_bit(from->size, all, at[0] + i, at[1] + j, at[2] + k));
 }
 
 static void tell(const cells_case *c, size_t first, size_t count)
@@ -196,12 +195,15 @@ static uint64_t past_row(const cells_case *c, size_t word)
     return rest && (word + 1) % window_row(c->at.size) == 0 ? ~UINT64_C(0) << rest : 0;
 }
 
-/* Against the page before and the page after in turn, often without a report. Pages are kept, so that few words cost little. */
+/*
+ * Against the page before and the page after in turn, often without a report, and of the whole grid without a window. Pages are
+ * kept, so that few words cost little.
+ */
 static size_t add(const cells_case *c, cells_form in, size_t first, size_t count, uint64_t *occupied)
 {
     static guarded pages;
     static unsigned turn;
-    const soup_or_mesh of = part_in_form(c, in, first, count, permutations[0]);
+    const soup_or_mesh of = part_in_form(c, in, first, count);
     const size_t words = cells_words(c), bytes = words * sizeof *occupied;
     tribox_report report = {SIZE_MAX, SIZE_MAX};
     if (pages.size < bytes || !pages.first) {
@@ -213,7 +215,10 @@ static size_t add(const cells_case *c, cells_form in, size_t first, size_t count
     uint64_t *const to = turn % 2 ? guarded_tail(pages, bytes) : (void *)pages.first;
     memcpy(to, occupied, bytes);
     tell(c, first, count);
-    assert_int_equal(CALL(voxelize, &of, &c->grid, &c->at, &c->options, to, turn % 5 > 1 ? &report : NULL), TRIBOX_OK);
+    const bool is_whole = turn % 3 && !memcmp(c->at.first, (uint32_t[3]){0}, sizeof c->at.first) &&
+                          !memcmp(c->at.size, c->grid.size, sizeof c->at.size);
+    assert_int_equal(CALL(voxelize, &of, &c->grid, is_whole ? NULL : &c->at, &c->options, to, turn % 5 > 1 ? &report : NULL),
+                     TRIBOX_OK);
     for (size_t w = 0; w < words; w++)
         if ((occupied[w] & ~to[w]) | (to[w] & ~occupied[w] & past_row(c, w)))
             fail_msg("%s: word %zu was %#llx and is %#llx", doing, w, (unsigned long long)occupied[w], (unsigned long long)to[w]);
@@ -234,7 +239,7 @@ size_t cells_add(const cells_case *c, size_t first, size_t count, uint64_t *occu
         return add(c, c->form, first, count, occupied);
     memcpy(before, occupied, bytes);
     const size_t set = add(c, SOUP, first, count, occupied);
-    for (cells_form in = MESH; in <= (c->options.accuracy ? MESH : DOUBLES); in += DOUBLES - MESH) {
+    for (cells_form in = MESH; in <= (c->options.accuracy ? MESH : DOUBLES); in++) {
         memcpy(same, before, bytes);
         add(c, in, first, count, same);
         if (memcmp(same, occupied, bytes))

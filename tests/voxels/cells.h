@@ -11,8 +11,8 @@
 
 enum { CELLS_TRIANGLES = 4096 };
 
-/* How triangles are handed over: doubles in the last form alone, floats in any. */
-typedef enum cells_form { SOUP, MESH, INDEXED, DOUBLES, FORMS } cells_form;
+/* How triangles are handed over: doubles in the last form alone, floats in any. Meshes are of any layout. */
+typedef enum cells_form { SOUP, MESH, DOUBLES, FORMS } cells_form;
 
 /* What is asked, also for the message of a failure. */
 typedef struct cells_case {
@@ -21,8 +21,7 @@ typedef struct cells_case {
     tribox_grid grid;
     tribox_window at;
     size_t count;
-    double u[CELLS_TRIANGLES][3][3]; /* by vertex and axis; the same in float, and as streams, by axis and vertex */
-    float narrow[CELLS_TRIANGLES][3][3];
+    double u[CELLS_TRIANGLES][3][3]; /* by vertex and axis; the same in float as streams, by axis and vertex */
     float stream[9][CELLS_TRIANGLES];
     cells_form form;
     tribox_options options;
@@ -31,8 +30,8 @@ typedef struct cells_case {
 /* Sets the window to the whole grid. */
 void cells_open(cells_case *c);
 
-/* Any part of the grid, of at least one cell. */
-void cells_draw_window(cells_case *c, random_source *r);
+/* Any part of a window, of at least one cell and at `most` so many: at either end, anywhere, or about the ends of words. */
+void cells_draw_window(random_source *r, const tribox_window *in, const uint32_t most[3], tribox_window *w);
 
 size_t cells_words(const cells_case *c);
 
@@ -46,8 +45,8 @@ tribox_box cells_box(const cells_case *c, const uint32_t at[3]);
 /* Adds a triangle, rounded to what the numbers are; the last one has no room, and is overwritten. */
 void cells_put(cells_case *c, double u[3][3]);
 
-/* Triangles first .. first + count - 1, with the vertices of a soup in this order. */
-soup_or_mesh cells_part(const cells_case *c, size_t first, size_t count, const int vertex[3]);
+/* Triangles first .. first + count - 1; a mesh until the next one. */
+soup_or_mesh cells_part(const cells_case *c, size_t first, size_t count);
 soup_or_mesh cells_all(const cells_case *c);
 
 /* Zeros; fails the test if there is no memory. */
@@ -61,8 +60,8 @@ size_t cells_cost(const cells_case *c, size_t t, unsigned axes);
 /* The cells that triangles first .. first + count - 1 overlap by these axes, by the oracle. Returns how many it was asked about. */
 size_t cells_expect(const cells_case *c, size_t first, size_t count, unsigned axes, uint64_t *occupied);
 
-/* The cells of the window among those of the whole grid. */
-void cells_cut(const cells_case *c, const uint64_t *whole, uint64_t *occupied);
+/* The cells of the window among those of a larger one. */
+void cells_cut(const cells_case *c, const tribox_window *from, const uint64_t *all, uint64_t *occupied);
 
 /*
  * Voxelizes triangles first .. first + count - 1 into words that are as they are, or cleared before, between pages that cannot be

@@ -1,8 +1,6 @@
 /*
- * test_windows.c - windows of a grid: EXACT has the bits of the whole, all cells that tribox_overlap reports and no other, in grids
- * too large to be asked as a whole, too; CONSERVATIVE has them all; layers have the bits of the whole at every accuracy. No word is
- * touched besides. Bits are set and never cleared, the report counts the new ones, and neither parts of a soup, nor the order of
- * its triangles, nor that of their vertices changes what is EXACT.
+ * test_windows.c - windows that test_cells.c does not draw: layers of a grid from several threads at once, layers that cut blocks
+ * of cells, and rows of more cells than 2^31.
  */
 #include "cells.h"
 
@@ -16,149 +14,10 @@
 #include "grid_kinds.h"
 #include "triangle_kinds.h"
 
-enum {
-    PAIRS = 100000,
-    ROUNDS = 100,
-    SLAB_ROUNDS = 500,
-    SOUP_ROUNDS = 250,
-    LATE_ROUNDS = 4,
-    CELLS_MAX = 8000,
-    TRIANGLES = 60,
-    MANY = 200,
-    WINDOWS = 5,
-    LONG_ROW = 330
-};
+enum { PAIRS_A_ROUND = 200, CELLS_MAX = 8000, TRIANGLES = 60 };
 
-static random_source r;
 static cells_case drawn;
-static uint64_t whole[CELLS_MAX], expected[CELLS_MAX], before[CELLS_MAX], occupied[CELLS_MAX];
-
-/* Where rows of a window begin and end beside words. */
-static const uint32_t lengths[] = {1, 2, 63, 64, 65, 130};
-enum { LENGTHS = sizeof lengths / sizeof lengths[0] };
-
-/* Some cells of the window that are set before, or none. */
-static void draw_before(void)
-{
-    const uint32_t *const size = drawn.at.size;
-    memset(before, 0, sizeof before);
-    for (int n = random_int(&r, 3) ? 0 : 20; n > 0; n--)
-        window_put(size, before, random_below(&r, size[0]), random_below(&r, size[1]), random_below(&r, size[2]), true);
-}
-
-/* With what is there before, against either page: by what the accuracy promises, or with the very bits of the whole. */
-static void ask_window(bool is_as_whole)
-{
-    const size_t words = cells_words(&drawn);
-    for (size_t w = 0; w < words; w++)
-        expected[w] |= before[w];
-    for (int side = 0; side < 2; side++) {
-        memcpy(occupied, before, words * sizeof *occupied);
-        cells_add(&drawn, 0, drawn.count, occupied);
-        if (is_as_whole && memcmp(occupied, expected, words * sizeof *occupied))
-            fail_msg("%s: layers have other bits than the whole", doing);
-        cells_check(&drawn, 0, drawn.count, expected, occupied);
-    }
-}
-
-static void ask_at_all(void)
-{
-    for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
-        drawn.options.accuracy = (tribox_accuracy)accuracy;
-        ask_window(false);
-    }
-}
-
-/* `length` cells of an axis, or what fits: at either end, anywhere, or about the border of a word. */
-static void put_span(int a, uint32_t length)
-{
-    const uint32_t size = drawn.grid.size[a], most = length < size ? length : size, last = size - most;
-    const uint32_t anywhere = (uint32_t)random_below(&r, (size_t)last + 1);
-    const int way = random_int(&r, 4);
-    drawn.at.size[a] = most;
-    drawn.at.first[a] = way == 0 ? 0 : way == 1 ? last : anywhere;
-    if (way == 2 && (anywhere | 63) + 2 <= last)
-        drawn.at.first[a] = (anywhere | 63) + (uint32_t)random_int(&r, 3);
-}
-
-static void any_options(void)
-{
-    drawn.options = (tribox_options){.axes = (unsigned)(random_int(&r, 4) ? 0 : random_int_between(&r, 1, AXIS_SETS)),
-                                     .kernel = names[random_int(&r, kernels)]};
-}
-
-/* Small grids of every kind of floats, and long rows if they may be; the whole is what test_cells.c compares with the oracle. */
-static void draw_pairs(size_t round, bool has_long_rows, int most)
-{
-    const grid_kind *const kind = grid_kind_at(round % grid_kind_floats());
-    if (!has_long_rows || random_int(&r, 2))
-        draw_grid_of_kind(&r, kind, CELLS_MAX, &drawn);
-    else
-        draw_grid_of_size(&r, kind, (const uint32_t[]){LONG_ROW, (uint32_t)random_int_between(&r, 1, 4), 3}, &drawn);
-    if (random_int(&r, 4) == 0)
-        put_mesh(&r, &drawn);
-    put_triangles(&r, NULL, (size_t)random_int_between(&r, 1, most), SIZE_MAX, &drawn);
-    any_options();
-}
-
-static size_t ask_whole(void)
-{
-    cells_open(&drawn);
-    cells_ask(&drawn, 0, drawn.count, whole);
-    return cells_count(whole, cells_words(&drawn));
-}
-
-CASE(test_any)
-{
-    r = random_named(args.seed, "windows");
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
-        draw_pairs(round, true, TRIANGLES);
-        ask_whole();
-        for (int n = 0; n < WINDOWS; n++) {
-            for (int a = 0; a < 3; a++)
-                put_span(a, a == 0 && random_int(&r, 2) ? lengths[random_int(&r, LENGTHS)]
-                                                        : (uint32_t)random_int_between(&r, 1, (int)drawn.grid.size[a]));
-            draw_before();
-            cells_cut(&drawn, whole, expected);
-            ask_at_all();
-        }
-    }
-}
-
-/* Whole layers have the bits of the whole, whatever the accuracy. */
-static size_t ask_slab(uint32_t first, uint32_t layers)
-{
-    cells_open(&drawn);
-    drawn.at.first[2] = first;
-    drawn.at.size[2] = layers;
-    memcpy(expected, whole + tribox_window_words((const uint32_t[]){drawn.grid.size[0], drawn.grid.size[1], 1}) * first,
-           cells_words(&drawn) * sizeof *expected);
-    const size_t set = cells_count(expected, cells_words(&drawn));
-    ask_window(true);
-    return set;
-}
-
-CASE(test_slabs)
-{
-    r = random_named(args.seed, "slabs");
-    memset(before, 0, sizeof before);
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / SLAB_ROUNDS); round++) {
-        draw_pairs(round, false, TRIANGLES);
-        drawn.options.accuracy = (tribox_accuracy)random_int(&r, 3);
-        const size_t set = ask_whole();
-        const uint32_t size = drawn.grid.size[2];
-        for (uint32_t first = 0; first <= size && size <= 6; first++) /* every slab there is */
-            for (uint32_t layers = 0; layers <= size - first; layers++)
-                ask_slab(first, layers);
-        size_t sum = 0;
-        for (uint32_t first = 0, layers; first < size; first += layers) {
-            layers = 1 + (uint32_t)random_int(&r, (int)(size - first));
-            sum += ask_slab(first, layers);
-        }
-        assert_int_equal(sum, set);
-        ask_slab(size, 0);
-    }
-}
+static uint64_t of_whole[CELLS_MAX], occupied[CELLS_MAX];
 
 #ifdef __wasm__
 #define RUN_THREADS
@@ -184,13 +43,15 @@ static void *work(void *own)
 CASE(test_threads)
 {
     enum { THREADS = 4 };
-    r = random_named(args.seed, "threads");
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / SLAB_ROUNDS); round++) {
+    random_source r = random_named(args.seed, "threads");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS_A_ROUND); round++) {
         worker workers[THREADS];
         size_t sum = 0;
-        draw_pairs(round, false, TRIANGLES);
-        drawn.options.kernel = round % 2 ? drawn.options.kernel : NULL;
-        const size_t set = ask_whole();
+        draw_grid_of_kind(&r, grid_kind_at(round % grid_kind_floats()), CELLS_MAX, &drawn);
+        put_triangles(&r, NULL, (size_t)random_int_between(&r, 1, TRIANGLES), SIZE_MAX, &drawn);
+        drawn.options = (tribox_options){.kernel = round % 2 ? names[random_int(&r, kernels)] : NULL};
+        cells_ask(&drawn, 0, drawn.count, of_whole);
+        const size_t set = cells_count(of_whole, cells_words(&drawn));
         memset(occupied, 0, cells_words(&drawn) * sizeof *occupied);
         for (uint32_t t = 0; t < THREADS; t++) {
             const uint32_t first = drawn.grid.size[2] * t / THREADS, end = drawn.grid.size[2] * (t + 1) / THREADS;
@@ -202,7 +63,7 @@ CASE(test_threads)
             sum += workers[t].report.overlapping;
         }
         assert_int_equal(sum, set);
-        assert_memory_equal(occupied, whole, cells_words(&drawn) * sizeof *whole);
+        assert_memory_equal(occupied, of_whole, cells_words(&drawn) * sizeof *of_whole);
     }
 }
 #endif
@@ -229,216 +90,60 @@ CASE(test_blocks)
         for (size_t k = 0; tribox_kernel_list(k); k++) {
             const tribox_mesh mesh = mesh_of_corners(positions[t], 1, 8);
             const tribox_options options = {.accuracy = TRIBOX_CONSERVATIVE, .kernel = tribox_kernel_list(k)};
-            memset(whole, 0, 7 * 16 * sizeof *whole);
-            memset(occupied, 0, 7 * 16 * sizeof *whole);
-            assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, NULL, &options, whole, NULL), TRIBOX_OK);
+            memset(of_whole, 0, 7 * 16 * sizeof *of_whole);
+            memset(occupied, 0, 7 * 16 * sizeof *of_whole);
+            assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, NULL, &options, of_whole, NULL), TRIBOX_OK);
             for (uint32_t layer = 0; layer < 16; layer++)
                 assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, &(tribox_window){{0, 0, layer}, {8, 7, 1}}, &options,
                                                       occupied + 7 * layer, NULL),
                                  TRIBOX_OK);
-            assert_memory_equal(occupied, whole, 7 * 16 * sizeof *whole);
+            assert_memory_equal(occupied, of_whole, 7 * 16 * sizeof *of_whole);
         }
 }
 
-/* The window's first plane, its last, or another, and a float next to it. */
-static double near_plane(int a)
+/* Cells of these by the call about one box. */
+static void check_cells(const tribox_mesh *long_one, const tribox_grid *grid, uint32_t first, uint32_t count,
+                        const tribox_options *options, const uint64_t *row)
 {
-    const tribox_window *const w = &drawn.at;
-    const int which = random_int(&r, 3), steps = random_int_between(&r, -1, 1);
-    const uint32_t on = which == 0 ? 0 : which == 1 ? w->size[a] : (uint32_t)random_int(&r, (int)w->size[a] + 1);
-    const float plane = (float)cells_place(&drawn, a, (double)w->first[a] + on);
-    return (double)(steps ? nextafterf(plane, steps < 0 ? -INFINITY : INFINITY) : plane);
-}
-
-/* Two vertices about the window or anywhere in the grid, and a third that has a point of the window between them. */
-static void draw_through(bool is_long, double u[3][3])
-{
-    const tribox_window *const w = &drawn.at;
-    const double part = random_double(&r, 0.1, 1.5), other = random_double(&r, 0, 1.5);
-    for (int a = 0; a < 3; a++) {
-        const double from = cells_place(&drawn, a, w->first[a] + random_double(&r, -0.5, w->size[a] + 0.5));
-        for (int j = 0; j < 2; j++)
-            u[j][a] = cells_place(&drawn, a,
-                                  is_long ? random_double(&r, -9, drawn.grid.size[a] + 9.0)
-                                          : w->first[a] + random_double(&r, -2, w->size[a] + 2.0));
-        u[2][a] = from - part * (u[0][a] - from) - other * (u[1][a] - from);
+    for (uint32_t i = 0; i < count; i++) {
+        const tribox_box box = tribox_grid_cell(grid, first + i, 0, 0);
+        uint64_t mask;
+        assert_int_equal(tribox_mesh_overlap(long_one, &box, options, &mask, NULL), TRIBOX_OK);
+        assert_int_equal(mask, row[i / 64] >> i % 64 & 1);
     }
 }
 
-/* Some of it on planes, flat on one, of one point or of two. */
-static void draw_about(double u[3][3])
+/*
+ * A row whose cells have numbers beyond 2^31, and triangles that leave it: a small one, and one as long as the row. A plane alone,
+ * at the end of the row.
+ */
+CASE(test_long_rows)
 {
-    const int flat = random_int(&r, 6), exact = random_int(&r, 4), like = random_int(&r, 12);
-    draw_through(random_int(&r, 3) == 0, u);
-    for (int a = 0; a < 3; a++) {
-        const double plane = near_plane(a);
-        for (int j = 0; j < 3; j++)
-            if (a == flat)
-                u[j][a] = plane;
-            else if (exact == 0 || (exact == 1 && random_int(&r, 2)))
-                u[j][a] = near_plane(a);
+    static const double triangles_of[2][3][3] = {{{-7.5, 0.5, 0.5}, {9.25, 0.75, -0.5}, {3, -0.5, 0.75}},
+                                                 {{-0x1p31, -0x1p29, 0.25}, {0x1p31, 0x1p29, 0.5}, {0x1p31, 0x1p29, -7}}};
+    const uint32_t size = UINT32_MAX - 50, first = 0x7fffffc0, end = UINT32_MAX - 140, part = 140;
+    const tribox_window whole = {{0, 0, 0}, {size, 1, 1}}, middle = {{first, 0, 0}, {part, 1, 1}},
+                        last = {{end, 0, 0}, {part, 1, 1}};
+    const tribox_grid grid = {{-0x1p31, 0, 0}, {1, 1, 1}, {UINT32_MAX, 1, 1}};
+    const tribox_options plane = {.axes = TRIBOX_AXES_PLANE};
+    uint64_t *const row = calloc(size / 64 + 1, sizeof *row);
+    if (!row)
+        skip();
+    for (int t = 0; t < 2; t++) {
+        const tribox_mesh long_one = mesh_of_corners(triangles_of[t], 1, 8);
+        uint64_t window[3] = {0}, far[3] = {0};
+        tribox_report report, report_of_window;
+        assert_int_equal(tribox_mesh_voxelize(&long_one, &grid, &whole, NULL, row, &report), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_voxelize(&long_one, &grid, &middle, NULL, window, &report_of_window), TRIBOX_OK);
+        assert_in_range(report.overlapping, 4, 20);
+        assert_int_equal(report_of_window.overlapping, report.overlapping);
+        assert_memory_equal(row + first / 64, window, sizeof window);
+        check_cells(&long_one, &grid, first, part, NULL, window);
+        assert_int_equal(tribox_mesh_voxelize(&long_one, &grid, &last, &plane, far, NULL), TRIBOX_OK);
+        check_cells(&long_one, &grid, end, part, &plane, far);
+        memset(row + first / 64, 0, sizeof window);
     }
-    if (like < 3)
-        memcpy(u[like], u[(like + 1) % 3], sizeof u[0]);
-    if (like == 0)
-        memcpy(u[2], u[0], sizeof u[0]);
+    free(row);
 }
 
-/* Sizes whose whole exceeds 2^31 words or whose planes exceed what floats count; planes of whole numbers, rounded, and far away. */
-static void draw_large_grid(void)
-{
-    tribox_grid *const grid = &drawn.grid;
-    static const double cells[] = {1, 0.25, 0.7, 1.3, 1.9999999};
-    const int longest = random_int(&r, 16), way = random_int(&r, 3);
-    for (int a = 0; a < 3; a++) {
-        grid->size[a] = a == longest ? 1 << 24 : 65536;
-        grid->cell[a] = cells[random_int(&r, sizeof cells / sizeof cells[0])];
-        grid->origin[a] = a == longest || way == 0 ? -0.5 * grid->size[a] * grid->cell[a]
-                          : way == 1               ? 0
-                                                   : random_double(&r, 1, 2) * 0x1p18; /* a cell has few floats */
-    }
-}
-
-/* EXACT and the others of 20 triangles about the window. Returns the cells that are set. */
-static size_t ask_large(void)
-{
-    drawn.is_double = false;
-    drawn.form = SOUP;
-    for (drawn.count = 0; drawn.count < 20;) {
-        double u[3][3];
-        draw_about(u);
-        cells_put(&drawn, u);
-    }
-    any_options();
-    draw_before();
-    cells_expect(&drawn, 0, drawn.count, drawn.options.axes ? drawn.options.axes : TRIBOX_AXES_ALL, expected);
-    const size_t set = cells_count(expected, cells_words(&drawn));
-    ask_at_all();
-    return set;
-}
-
-/* Where no call can write the whole. */
-CASE(test_large_grids)
-{
-    const size_t rounds = arguments_rounds(&args, PAIRS / ROUNDS);
-    size_t set = 0;
-    r = random_named(args.seed, "windows of large grids");
-    drawn.scene = "large grids";
-    for (size_t round = 0; round < rounds; round++) {
-        draw_large_grid();
-        for (int a = 0; a < 3; a++)
-            put_span(a, a == 0 ? lengths[random_int(&r, LENGTHS)] : (uint32_t)random_int_between(&r, 1, 6));
-        set += ask_large();
-    }
-    assert_true(set > 20 * rounds);
-}
-
-/* Windows near the origin, where floats are fine, but not the numbers of planes: they begin beyond 2^24. */
-CASE(test_late_windows)
-{
-    r = random_named(args.seed, "late windows");
-    drawn.grid = (tribox_grid){{-0x1p24, -8, -8}, {1, 1, 1}, {1 << 25, 16, 16}};
-    for (size_t round = 0; round < LATE_ROUNDS; round++) {
-        const uint32_t first = (1 << 24) + (1 << 14) + (uint32_t)random_int(&r, 1 << 22);
-        drawn.at = (tribox_window){.first = {first, 5, 5}, .size = {lengths[round % LENGTHS], 6, 6}};
-        ask_large();
-    }
-}
-
-static size_t ask(const tribox_soup *soup, uint64_t *words)
-{
-    tribox_report report = {SIZE_MAX, SIZE_MAX};
-    assert_int_equal(tribox_voxelize(soup, &drawn.grid, NULL, &drawn.options, words, &report), TRIBOX_OK);
-    return report.overlapping;
-}
-
-/* Bits that are there stay, those past the end of a row too, and do not count. */
-CASE(test_bits_stay)
-{
-    r = random_named(args.seed, "bits stay");
-    for (size_t round = 0; round < SOUP_ROUNDS * arguments_rounds(&args, PAIRS); round++) {
-        draw_pairs(round, false, MANY);
-        drawn.options.accuracy = (tribox_accuracy)(round % 2 ? 0 : random_int(&r, 3));
-        const soup_or_mesh of = cells_all(&drawn);
-        ask_whole();
-        const size_t words = cells_words(&drawn);
-        for (size_t w = 0; w < words; w++) {
-            before[w] = occupied[w] = random_bits(&r) & (round % 3 ? ~UINT64_C(0) : random_bits(&r) & random_bits(&r));
-            expected[w] = before[w] | whole[w];
-        }
-        assert_int_equal(ask(&of.soup, occupied), cells_count(expected, words) - cells_count(before, words));
-        assert_memory_equal(occupied, expected, words * sizeof *expected);
-        assert_int_equal(ask(&of.soup, occupied), 0);
-        assert_int_equal(tribox_voxelize(&of.soup, &drawn.grid, NULL, &drawn.options, occupied, NULL), TRIBOX_OK);
-        assert_memory_equal(occupied, expected, words * sizeof *expected);
-    }
-}
-
-CASE(test_parts)
-{
-    r = random_named(args.seed, "parts");
-    for (size_t round = 0; round < SOUP_ROUNDS * arguments_rounds(&args, PAIRS); round++) {
-        draw_pairs(round, false, MANY);
-        const size_t set = ask_whole();
-        size_t sum = 0;
-        memset(occupied, 0, cells_words(&drawn) * sizeof *occupied);
-        for (size_t first = 0, count; first < drawn.count; first += count) {
-            count = 1 + (size_t)random_int(&r, (int)(drawn.count - first));
-            const soup_or_mesh part = cells_part(&drawn, first, count, permutations[random_int(&r, ORDERS)]);
-            sum += ask(&part.soup, occupied);
-        }
-        assert_int_equal(sum, set);
-        assert_memory_equal(occupied, whole, cells_words(&drawn) * sizeof *occupied);
-    }
-}
-
-/* The triangles in any order, each with its vertices in any order, and triangles that are not finite among them. */
-CASE(test_order)
-{
-    static cells_case turned;
-    r = random_named(args.seed, "order");
-    for (size_t round = 0; round < SOUP_ROUNDS * arguments_rounds(&args, PAIRS); round++) {
-        draw_pairs(round, false, MANY);
-        const size_t set = ask_whole(), start = (size_t)random_int(&r, (int)drawn.count);
-        turned.count = 0;
-        for (size_t k = 0; k < drawn.count; k++) {
-            double v[3][3];
-            const int *const vertex = permutations[random_int(&r, ORDERS)];
-            for (int j = 0; j < 3; j++)
-                memcpy(v[j], drawn.u[(start + drawn.count - k) % drawn.count][vertex[j]], sizeof v[j]);
-            cells_put(&turned, v);
-            if (random_int(&r, 3))
-                continue;
-            v[random_int(&r, 3)][random_int(&r, 3)] = random_int(&r, 2) ? NAN : random_int(&r, 2) ? INFINITY : -INFINITY;
-            cells_put(&turned, v);
-        }
-        const soup_or_mesh of = cells_all(&turned);
-        memset(occupied, 0, cells_words(&drawn) * sizeof *occupied);
-        assert_int_equal(ask(&of.soup, occupied), set);
-        assert_memory_equal(occupied, whole, cells_words(&drawn) * sizeof *occupied);
-    }
-}
-
-/* Not even over the whole grid, at any accuracy and with any axes. */
-CASE(test_not_finite)
-{
-    static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
-    r = random_named(args.seed, "not finite");
-    draw_grid_of_kind(&r, grid_kind_at(3), CELLS_MAX, &drawn);
-    for (int kernel = 0; kernel < kernels; kernel++)
-        for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
-            for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
-                drawn.count = 0;
-                for (int k = 0; k < 9 * 4 * 3; k++) {
-                    double u[3][3];
-                    draw_triangle(&r, triangle_kind_at((size_t)random_int(&r, 4)), &drawn, u);
-                    u[k % 3][k / 3 % 3] = (double)bad[k / 9 % 4];
-                    cells_put(&drawn, u);
-                }
-                drawn.options = (tribox_options){.accuracy = (tribox_accuracy)accuracy, .axes = axes, .kernel = names[kernel]};
-                assert_int_equal(ask_whole(), 0);
-            }
-}
-
-PROGRAM(RUN(test_any), RUN(test_slabs), RUN_THREADS RUN(test_blocks), RUN(test_large_grids), RUN(test_late_windows),
-        RUN(test_bits_stay), RUN(test_parts), RUN(test_order), RUN(test_not_finite))
+PROGRAM(RUN_THREADS RUN(test_blocks), RUN(test_long_rows))
