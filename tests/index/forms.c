@@ -22,23 +22,21 @@ static form_fences form_fences_make(size_t triangles, size_t boxes)
     };
 }
 
-stored_soup stored;
 form_fences fences;
 
 int index_fixture_make(size_t triangles, size_t boxes)
 {
-    stored = stored_soup_make(triangles);
+    stored_make(triangles);
     fences = form_fences_make(triangles, boxes);
     return 0;
 }
 
 /* What is asked, and the answers of the calls without an index. */
 typedef struct question {
-    const form_fences *f;
-    const stored_soup *s;
     tribox_region region;
     const tribox_options *options;
     const char *name;
+    bool is_damaged;
     size_t words;
     uint64_t *least, *most; /* the mask: bits that have to be set, and that may be */
     uint64_t *inside;       /* of tribox_classify; of an oriented box none */
@@ -51,7 +49,7 @@ static uint32_t *numbers_of(fenced place) { return (uint32_t *)(void *)place.at;
 static void say(const question *q, const char *form)
 {
     static const char *const accuracies[] = {"EXACT", "CONSERVATIVE", "FAST"};
-    snprintf(doing, sizeof doing, "%s: %s, %zu triangles, kernel %s, %s, axes %u, order %u", form, q->name, q->s->soup.count,
+    snprintf(doing, sizeof doing, "%s: %s, %zu triangles, kernel %s, %s, axes %u, order %u", form, q->name, stored.soup.count,
              q->options->kernel, accuracies[q->options->accuracy], q->options->axes, q->options->axis_order);
 }
 
@@ -81,13 +79,19 @@ static void demand(const question *q, bool holds, const char *what, size_t numbe
 
 static tribox_status ask_without(const question *q, const tribox_options *options)
 {
-    const tribox_index *const index = &q->s->index;
+    const tribox_index *const index = &stored.index;
     const soup_or_mesh of = {index->soup ? *index->soup : (tribox_soup){.count = 0},
                              index->mesh ? *index->mesh : (tribox_mesh){.count = 0}, index->mesh};
     if (q->region.oriented)
         return CALL(overlap_oriented, &of, q->region.oriented, options, q->least, NULL);
     const tribox_status status = CALL(overlap, &of, q->region.box, options, q->least, NULL);
     return status ? status : CALL(classify, &of, q->region.box, options, NULL, q->inside, NULL);
+}
+
+static uint64_t whole_word(size_t w)
+{
+    const size_t left = stored.soup.count - 64 * w;
+    return left < 64 ? ~(~UINT64_C(0) << left) : ~UINT64_C(0);
 }
 
 /*
@@ -98,7 +102,6 @@ static void expect(question *q)
 {
     tribox_options options = *q->options;
     say(q, "tribox_overlap");
-    memset(q->inside, 0, q->words * sizeof *q->inside);
     if (q->region.oriented)
         options.accuracy = TRIBOX_EXACT;
     if (options.accuracy == TRIBOX_EXACT)
@@ -106,8 +109,7 @@ static void expect(question *q)
     demand_ok(ask_without(q, &options));
     memcpy(q->most, q->least, q->words * sizeof *q->most);
     for (size_t w = 0; q->options->accuracy != TRIBOX_EXACT && w < q->words; w++) {
-        const size_t left = q->s->soup.count - 64 * w;
-        const uint64_t all = left < 64 ? ~(~UINT64_C(0) << left) : ~UINT64_C(0);
+        const uint64_t all = whole_word(w);
         const bool is_fast = q->options->accuracy == TRIBOX_FAST;
         if (q->region.oriented) {
             q->most[w] = all;
@@ -119,11 +121,34 @@ static void expect(question *q)
     }
 }
 
+/* Any mask; and inside what the index says, in which the forms have to agree. */
+static void expect_anything(const question *q)
+{
+    uint32_t *const number = malloc((q->words + 1) * sizeof *number);
+    uint64_t *const bits = malloc((2 * q->words + 1) * sizeof *bits);
+    size_t found = 0;
+    say(q, "tribox_index_words with room for all");
+    assert_true(number && bits);
+    for (size_t w = 0; w < q->words; w++) {
+        q->least[w] = 0;
+        q->most[w] = whole_word(w);
+    }
+    if (q->region.box)
+        demand_ok(tribox_index_words(&stored.index, &q->region, q->options, q->words, number, bits, bits + q->words, &found, NULL));
+    demand(q, found <= q->words, "words found", found);
+    for (size_t k = 0; k < found; k++) {
+        demand(q, number[k] < q->words && !(bits[q->words + k] & ~bits[k]), "bits inside that do not overlap at place", k);
+        q->inside[number[k]] = bits[q->words + k];
+    }
+    free(number);
+    free(bits);
+}
+
 static void fail_at_triangle(const question *q, size_t i, bool bit)
 {
-    for (int v = 0; i < q->s->soup.count && v < 3; v++)
-        print_error("vertex %d of triangle %zu: %a %a %a\n", v, i, (double)q->s->soup.x[v][i], (double)q->s->soup.y[v][i],
-                    (double)q->s->soup.z[v][i]);
+    for (int v = 0; i < stored.soup.count && v < 3; v++)
+        print_error("vertex %d of triangle %zu: %a %a %a\n", v, i, (double)stored.soup.x[v][i], (double)stored.soup.y[v][i],
+                    (double)stored.soup.z[v][i]);
     print_region(q);
     fail_msg("%s: bit %zu is %d", doing, i, bit);
 }
@@ -145,25 +170,25 @@ static size_t population(const uint64_t *mask, size_t words)
     return bits;
 }
 
-static tribox_report *report_place(const question *q, fenced *place)
+static tribox_report *report_place(fenced *place)
 {
-    *place = fenced_place(q->f->report, sizeof(tribox_report), AT_END);
+    *place = fenced_place(fences.report, sizeof(tribox_report), AT_END);
     return (tribox_report *)(void *)place->at;
 }
 
 static void demand_report(const question *q, const tribox_report *report, size_t overlapping)
 {
     demand(q, report->overlapping == overlapping, "overlapping, by the report,", report->overlapping);
-    demand(q, report->undecided <= (q->options->accuracy == TRIBOX_FAST ? 0 : q->s->soup.count), "undecided", report->undecided);
+    demand(q, report->undecided <= (q->options->accuracy == TRIBOX_FAST ? 0 : stored.soup.count), "undecided", report->undecided);
 }
 
 static void check_mask(question *q)
 {
-    const fenced mask = fenced_place(q->f->mask, q->words * sizeof(uint64_t), AT_END);
+    const fenced mask = fenced_place(fences.mask, q->words * sizeof(uint64_t), AT_END);
     fenced place;
-    tribox_report *const report = report_place(q, &place);
+    tribox_report *const report = report_place(&place);
     say(q, "tribox_index_overlap");
-    demand_ok(tribox_index_overlap(&q->s->index, &q->region, q->options, words_of(mask), report));
+    demand_ok(tribox_index_overlap(&stored.index, &q->region, q->options, words_of(mask), report));
     demand_mask(q, words_of(mask));
     assert_nothing_beside(&mask);
     demand_report(q, report, population(words_of(mask), q->words));
@@ -173,9 +198,9 @@ static void check_mask(question *q)
 static void check_count(const question *q)
 {
     fenced place;
-    tribox_report *const report = report_place(q, &place);
+    tribox_report *const report = report_place(&place);
     say(q, "tribox_index_overlap without a mask");
-    demand_ok(tribox_index_overlap(&q->s->index, &q->region, q->options, NULL, report));
+    demand_ok(tribox_index_overlap(&stored.index, &q->region, q->options, NULL, report));
     demand_report(q, report, population(q->mask, q->words));
 }
 
@@ -199,14 +224,14 @@ static void check_words(const question *q, bool has_inside)
     for (size_t w = 0; w < q->words; w++)
         expected += (q->mask[w] | (is_classified ? q->inside[w] : 0)) != 0;
     const size_t room = next_room(expected, q->words), fits = less(room, expected);
-    const fenced number = fenced_place(q->f->number, fits * sizeof(uint32_t), AT_END);
-    const fenced bits = fenced_place(q->f->bits, fits * sizeof(uint64_t), AT_END);
-    const fenced inside = fenced_place(q->f->inside, (has_inside ? fits : 0) * sizeof(uint64_t), AT_END);
-    const fenced found = fenced_place(q->f->found, sizeof(size_t), AT_END);
+    const fenced number = fenced_place(fences.number, fits * sizeof(uint32_t), AT_END);
+    const fenced bits = fenced_place(fences.bits, fits * sizeof(uint64_t), AT_END);
+    const fenced inside = fenced_place(fences.inside, (has_inside ? fits : 0) * sizeof(uint64_t), AT_END);
+    const fenced found = fenced_place(fences.found, sizeof(size_t), AT_END);
     fenced place;
-    tribox_report *const report = report_place(q, &place);
+    tribox_report *const report = report_place(&place);
     say(q, has_inside ? "tribox_index_words with inside" : "tribox_index_words");
-    demand_ok(tribox_index_words(&q->s->index, &q->region, q->options, room, numbers_of(number), words_of(bits),
+    demand_ok(tribox_index_words(&stored.index, &q->region, q->options, room, numbers_of(number), words_of(bits),
                                  has_inside ? words_of(inside) : NULL, (size_t *)(void *)found.at, report));
     demand(q, *(size_t *)(void *)found.at == expected, "words found", *(size_t *)(void *)found.at);
     for (size_t w = 0; w < q->words; w++) {
@@ -227,13 +252,13 @@ static void check_words(const question *q, bool has_inside)
 
 static void check_list(const question *q, const uint32_t *ids)
 {
-    const size_t expected = population(q->mask, q->words), room = next_room(expected, q->s->soup.count);
-    const fenced list = fenced_place(q->f->list, less(room, expected) * sizeof(uint32_t), AT_END);
+    const size_t expected = population(q->mask, q->words), room = next_room(expected, stored.soup.count);
+    const fenced list = fenced_place(fences.list, less(room, expected) * sizeof(uint32_t), AT_END);
     size_t found = 0, k = 0;
     say(q, ids ? "tribox_index_list with numbers" : "tribox_index_list");
-    demand_ok(tribox_index_list(ids ? &q->s->with_ids : &q->s->index, &q->region, q->options, room, numbers_of(list), &found));
+    demand_ok(tribox_index_list(ids ? &stored.with_ids : &stored.index, &q->region, q->options, room, numbers_of(list), &found));
     demand(q, found == expected, "triangles found", found);
-    for (size_t i = 0; i < q->s->soup.count && k < room; i++)
+    for (size_t i = 0; i < stored.soup.count && k < room; i++)
         if (is_set(q->mask, i)) {
             demand(q, numbers_of(list)[k] == (ids ? ids[i] : i), "another triangle at place", k);
             k++;
@@ -247,52 +272,56 @@ static void check_any(const question *q)
     size_t triangle = SIZE_MAX, again = SIZE_MAX;
     const bool is_fast = q->options->accuracy == TRIBOX_FAST;
     say(q, "tribox_index_any");
-    demand_ok(tribox_index_any(&q->s->index, &q->region, q->options, &triangle));
-    if (triangle < q->s->soup.count)
+    demand_ok(tribox_index_any(&stored.index, &q->region, q->options, &triangle));
+    if (triangle < stored.soup.count)
         demand(q, is_set(q->mask, triangle) || (is_fast && is_set(q->inside, triangle)), "not overlapping", triangle);
     else
-        demand(q, triangle == q->s->soup.count && !population(q->mask, q->words), "none though some overlap,", triangle);
-    if (q->options->accuracy == TRIBOX_EXACT) {
+        demand(q, triangle == stored.soup.count && !population(q->mask, q->words), "none though some overlap,", triangle);
+    if (q->options->accuracy == TRIBOX_EXACT && !q->is_damaged) {
         tribox_options other = *q->options;
         other.kernel = "scalar";
-        demand_ok(tribox_index_any(&q->s->index, &q->region, &other, &again));
+        demand_ok(tribox_index_any(&stored.index, &q->region, &other, &again));
         demand(q, triangle == again, "another than the scalar kernel,", triangle);
     }
 }
 
 static void ask_all_forms(question *q)
 {
-    uint64_t *const masks = malloc((4 * q->words + 1) * sizeof *masks);
+    q->words = tribox_mask_words(stored.soup.count);
+    uint64_t *const masks = calloc(4 * q->words + 1, sizeof *masks);
     assert_non_null(masks);
     q->least = masks;
     q->most = masks + q->words;
     q->inside = masks + 2 * q->words;
     q->mask = masks + 3 * q->words;
-    expect(q);
+    if (q->is_damaged)
+        expect_anything(q);
+    else
+        expect(q);
     check_mask(q);
     check_count(q);
     check_words(q, false);
     if (q->region.box)
         check_words(q, true);
     check_list(q, NULL);
-    check_list(q, q->s->ids);
+    check_list(q, stored.ids);
     check_any(q);
     free(masks);
 }
 
-void check_forms(const form_fences *f, const stored_soup *s, const tribox_box *box, const tribox_options *options, const char *name)
+void check_forms(const tribox_box *box, const tribox_options *options, const char *name)
 {
-    question q = {.f = f, .s = s, .region = {.box = box}, .options = options, .name = name};
-    q.words = tribox_mask_words(s->soup.count);
-    ask_all_forms(&q);
+    ask_all_forms(&(question){.region = {.box = box}, .options = options, .name = name});
 }
 
-void check_turned(const form_fences *f, const stored_soup *s, const tribox_oriented_box *box, const tribox_options *options,
-                  const char *name)
+void check_turned(const tribox_oriented_box *box, const tribox_options *options, const char *name)
 {
-    question q = {.f = f, .s = s, .region = {.oriented = box}, .options = options, .name = name};
-    q.words = tribox_mask_words(s->soup.count);
-    ask_all_forms(&q);
+    ask_all_forms(&(question){.region = {.oriented = box}, .options = options, .name = name});
+}
+
+void check_damaged(const tribox_region *region, const tribox_options *options, const char *name)
+{
+    ask_all_forms(&(question){.region = *region, .options = options, .name = name, .is_damaged = true});
 }
 
 static bool has_list(const tribox_box *box)
@@ -303,14 +332,13 @@ static bool has_list(const tribox_box *box)
     return true;
 }
 
-void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes *boxes, const tribox_options *options,
-                 const char *name)
+void check_lists(const tribox_boxes *boxes, const tribox_options *options, const char *name)
 {
-    const size_t most = boxes->count * s->soup.count;
+    const size_t most = boxes->count * stored.soup.count;
     uint32_t *const expected = malloc((most + 1) * sizeof *expected);
     size_t *const begins = malloc((boxes->count + 1) * sizeof *begins), total = 0;
     tribox_box box = {{0, 0, 0}, {0, 0, 0}};
-    const question q = {.f = f, .s = s, .region = {.box = &box}, .options = options, .name = name};
+    const question q = {.region = {.box = &box}, .options = options, .name = name};
     assert_true(expected && begins);
     for (size_t b = 0; b < boxes->count; b++) {
         size_t found = 0;
@@ -320,8 +348,8 @@ void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes 
         }
         say(&q, "tribox_index_list");
         if (has_list(&box))
-            demand_ok(
-                tribox_index_list(&s->with_ids, &(tribox_region){.box = &box}, options, s->soup.count, expected + total, &found));
+            demand_ok(tribox_index_list(&stored.with_ids, &(tribox_region){.box = &box}, options, stored.soup.count,
+                                        expected + total, &found));
         begins[b] = total;
         total += found;
     }
@@ -329,10 +357,10 @@ void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes 
 
     static unsigned turn;
     const size_t room = ++turn % 2 ? next_room(total, most) : begins[turn / 2 % (boxes->count + 1)], fits = less(room, total);
-    const fenced list = fenced_place(f->list, fits * sizeof(uint32_t), AT_END);
-    const fenced start = fenced_place(f->start, (boxes->count + 1) * sizeof(size_t), AT_END);
+    const fenced list = fenced_place(fences.list, fits * sizeof(uint32_t), AT_END);
+    const fenced start = fenced_place(fences.start, (boxes->count + 1) * sizeof(size_t), AT_END);
     say(&q, "tribox_index_lists, the last box of which is");
-    demand_ok(tribox_index_lists(&s->with_ids, boxes, options, room, numbers_of(list), (size_t *)(void *)start.at));
+    demand_ok(tribox_index_lists(&stored.with_ids, boxes, options, room, numbers_of(list), (size_t *)(void *)start.at));
     for (size_t b = 0; b <= boxes->count; b++)
         demand(&q, ((size_t *)(void *)start.at)[b] == begins[b], "another start of list", b);
     for (size_t k = 0; k < fits; k++)

@@ -22,9 +22,9 @@ static lattice any_lattice(random_source *r)
     return known[random_int(r, sizeof known / sizeof known[0])];
 }
 
-static void put(random_source *r, stored_soup *s, size_t i, int v, int a, const lattice *l, int k)
+static void put(random_source *r, size_t i, int v, int a, const lattice *l, int k)
 {
-    s->stream[3 * a + v][i] = random_sign_of_zero(r, nearest_float(l->unit * (l->offset + k)));
+    stored.stream[3 * a + v][i] = random_sign_of_zero(r, nearest_float(l->unit * (l->offset + k)));
 }
 
 /* Every third bit of a number: cells in this order fill cubes of 64, of 4096, and so on. */
@@ -36,112 +36,112 @@ static int every_third_bit(size_t number, int first)
     return k;
 }
 
-void draw_cells(random_source *r, stored_soup *s)
+void draw_cells(random_source *r)
 {
     const lattice l = any_lattice(r);
-    for (size_t i = 0; i < s->soup.count; i++) {
+    for (size_t i = 0; i < stored.soup.count; i++) {
         const int reach = random_int(r, 200) ? CELL : 2 * CELL;
         for (int a = 0; a < 3; a++) {
             const int from = CELL * every_third_bit(i / 64, a);
             for (int v = 0; v < 3; v++)
-                put(r, s, i, v, a, &l, from + random_int_between(r, 0, reach));
+                put(r, i, v, a, &l, from + random_int_between(r, 0, reach));
         }
     }
 }
 
 /* The same triangles, but near in number is not near in space. */
-static void draw_shuffled(random_source *r, stored_soup *s)
+static void draw_shuffled(random_source *r)
 {
-    draw_cells(r, s);
-    for (size_t i = s->soup.count; i > 1; i--) {
+    draw_cells(r);
+    for (size_t i = stored.soup.count; i > 1; i--) {
         const size_t k = random_below(r, i);
         for (int stream = 0; stream < STORED_STREAMS; stream++) {
-            const float kept = s->stream[stream][i - 1];
-            s->stream[stream][i - 1] = s->stream[stream][k];
-            s->stream[stream][k] = kept;
+            const float kept = stored.stream[stream][i - 1];
+            stored.stream[stream][i - 1] = stored.stream[stream][k];
+            stored.stream[stream][k] = kept;
         }
     }
 }
 
-static void draw_cell_points(random_source *r, stored_soup *s)
+static void draw_cell_points(random_source *r)
 {
-    draw_cells(r, s);
-    for (size_t i = 0; i < s->soup.count; i++)
+    draw_cells(r);
+    for (size_t i = 0; i < stored.soup.count; i++)
         for (int a = 0; a < 3; a++)
-            s->stream[3 * a + 1][i] = s->stream[3 * a + 2][i] = s->stream[3 * a][i];
+            stored.stream[3 * a + 1][i] = stored.stream[3 * a + 2][i] = stored.stream[3 * a][i];
 }
 
-static void copy_triangle(stored_soup *s, size_t to, size_t from)
+static void copy_triangle(size_t to, size_t from)
 {
     for (int stream = 0; stream < STORED_STREAMS; stream++)
-        s->stream[stream][to] = s->stream[stream][from];
+        stored.stream[stream][to] = stored.stream[stream][from];
 }
 
-static void draw_all_equal(random_source *r, stored_soup *s)
+static void draw_all_equal(random_source *r)
 {
-    draw_cells(r, s);
-    for (size_t i = 1; i < s->soup.count; i++)
-        copy_triangle(s, i, 0);
+    draw_cells(r);
+    for (size_t i = 1; i < stored.soup.count; i++)
+        copy_triangle(i, 0);
 }
 
 /* Runs of the same triangle, which end anywhere in a word. */
-static void draw_duplicates(random_source *r, stored_soup *s)
+static void draw_duplicates(random_source *r)
 {
-    draw_cells(r, s);
-    for (size_t i = 1; i < s->soup.count; i++)
+    draw_cells(r);
+    for (size_t i = 1; i < stored.soup.count; i++)
         if (random_int(r, 100))
-            copy_triangle(s, i, i - 1);
+            copy_triangle(i, i - 1);
 }
 
 /* Long and thin: two vertices of one cell, an ulp or a bit apart, and one of anywhere. */
-static void draw_slivers(random_source *r, stored_soup *s)
+static void draw_slivers(random_source *r)
 {
-    draw_cells(r, s);
-    for (size_t i = 0; i < s->soup.count; i++) {
-        const size_t far = random_below(r, s->soup.count), near = random_int(r, 4) ? i : far;
+    draw_cells(r);
+    for (size_t i = 0; i < stored.soup.count; i++) {
+        const size_t far = random_below(r, stored.soup.count), near = random_int(r, 4) ? i : far;
         for (int a = 0; a < 3; a++) {
-            s->stream[3 * a + 1][i] = nudged(r, s->stream[3 * a][i], 1);
-            s->stream[3 * a + 2][i] = s->stream[3 * a][near];
+            stored.stream[3 * a + 1][i] = nudged(r, stored.stream[3 * a][i], 1);
+            stored.stream[3 * a + 2][i] = stored.stream[3 * a][near];
         }
     }
 }
 
 /* Triangles of every size about the origin: nothing is small beside what stands next to it. */
-static void draw_every_size(random_source *r, stored_soup *s)
+static void draw_every_size(random_source *r)
 {
-    for (size_t i = 0; i < s->soup.count; i++) {
+    for (size_t i = 0; i < stored.soup.count; i++) {
         const double size = ldexp(1, random_int_between(r, -30, 30));
         for (int k = 0; k < STORED_STREAMS; k++)
-            s->stream[k][i] = nearest_float(size * random_double(r, -1, 1));
+            stored.stream[k][i] = nearest_float(size * random_double(r, -1, 1));
     }
 }
 
 /* Any finite floats. */
-static void draw_any_floats(random_source *r, stored_soup *s)
+static void draw_any_floats(random_source *r)
 {
     for (int k = 0; k < STORED_STREAMS; k++)
-        for (size_t i = 0; i < s->soup.count; i++)
+        for (size_t i = 0; i < stored.soup.count; i++)
             do {
                 const uint32_t bits = (uint32_t)random_bits(r);
-                memcpy(&s->stream[k][i], &bits, sizeof bits);
-            } while (!isfinite(s->stream[k][i]));
+                memcpy(&stored.stream[k][i], &bits, sizeof bits);
+            } while (!isfinite(stored.stream[k][i]));
 }
 
-void put_batch(stored_soup *s, size_t first, const scene_batch *batch)
+void put_batch(size_t first, const scene_batch *batch)
 {
-    for (size_t t = 0; t < SCENE_TRIANGLES && first + t < s->soup.count; t++)
+    for (size_t t = 0; t < SCENE_TRIANGLES && first + t < stored.soup.count; t++)
         for (int k = 0; k < STORED_STREAMS; k++)
-            s->stream[k][first + t] = batch->u[t][k % 3][k / 3];
+            stored.stream[k][first + t] = batch->u[t][k % 3][k / 3];
 }
 
 /* Batches of one scene, each about a box of its own. */
-static void draw_scene(random_source *r, stored_soup *s)
+static void draw_scene(random_source *r)
 {
     const scene *const drawn = scene_at(random_below(r, scene_count()));
-    for (size_t first = 0; first < s->soup.count; first += SCENE_TRIANGLES) {
+    for (size_t first = 0; first < stored.soup.count; first += SCENE_TRIANGLES) {
         scene_batch batch;
         scene_draw_batch(drawn, r, &batch);
-        put_batch(s, first, &batch);
+        put_batch(first, &batch);
     }
 }
 
@@ -155,80 +155,81 @@ size_t soup_kind_count(void) { return sizeof kinds / sizeof kinds[0]; }
 
 const soup_kind *soup_kind_at(size_t i) { return &kinds[i]; }
 
-void spoil_triangle(random_source *r, stored_soup *s, size_t i)
+void spoil_triangle(random_source *r, size_t i)
 {
     static const uint32_t bits[] = {0x7fc00000, 0xffc00000, 0x7f800001, 0x7f800000, 0xff800000};
     for (int times = random_int(r, 4) ? 1 : random_int_between(r, 1, 9); times > 0; times--)
-        memcpy(&s->stream[random_int(r, STORED_STREAMS)][i], &bits[random_int(r, sizeof bits / sizeof bits[0])], sizeof bits[0]);
+        memcpy(&stored.stream[random_int(r, STORED_STREAMS)][i], &bits[random_int(r, sizeof bits / sizeof bits[0])],
+               sizeof bits[0]);
 }
 
 /* Every `step`-th triangle of a range that begins in the soup. */
-static void spoil_range(random_source *r, stored_soup *s, size_t first, size_t count, size_t step)
+static void spoil_range(random_source *r, size_t first, size_t count, size_t step)
 {
-    for (size_t i = first; i < s->soup.count && i - first < count; i += step)
-        spoil_triangle(r, s, i);
+    for (size_t i = first; i < stored.soup.count && i - first < count; i += step)
+        spoil_triangle(r, i);
 }
 
-void spoil_soup(random_source *r, stored_soup *s, dirt kind)
+void spoil_soup(random_source *r, dirt kind)
 {
-    const size_t count = s->soup.count;
+    const size_t count = stored.soup.count;
     if (!count || kind == DIRT_NONE)
         return;
     const size_t any = random_below(r, count);
     switch (kind) {
     case DIRT_ONE:
-        spoil_range(r, s, any, 1, 1);
+        spoil_range(r, any, 1, 1);
         break;
     case DIRT_ONE_IN_A_WORD:
         for (size_t first = 0; first < count; first += 64)
-            spoil_range(r, s, first + random_below(r, count - first < 64 ? count - first : 64), 1, 1);
+            spoil_range(r, first + random_below(r, count - first < 64 ? count - first : 64), 1, 1);
         break;
     case DIRT_A_WORD:
-        spoil_range(r, s, any / 64 * 64, 64, 1);
+        spoil_range(r, any / 64 * 64, 64, 1);
         break;
     case DIRT_A_NODE:
-        spoil_range(r, s, any / TRIBOX_INDEX_BLOCK * TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK, 1);
+        spoil_range(r, any / TRIBOX_INDEX_BLOCK * TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK, 1);
         break;
     case DIRT_A_THIRD:
-        spoil_range(r, s, 1 % count, count, 3);
+        spoil_range(r, 1 % count, count, 3);
         break;
     case DIRT_TAIL:
-        spoil_range(r, s, (count - 1) / 64 * 64, 64, 1 + random_below(r, 9));
+        spoil_range(r, (count - 1) / 64 * 64, 64, 1 + random_below(r, 9));
         break;
     case DIRT_ALL_BUT_ONE:
-        spoil_range(r, s, 0, any, 1);
-        spoil_range(r, s, any + 1 < count ? any + 1 : 0, any + 1 < count ? count : 0, 1);
+        spoil_range(r, 0, any, 1);
+        spoil_range(r, any + 1 < count ? any + 1 : 0, any + 1 < count ? count : 0, 1);
         break;
     default:
-        spoil_range(r, s, 0, count, 1);
+        spoil_range(r, 0, count, 1);
     }
 }
 
-static bool is_finite_at(const stored_soup *s, size_t i)
+static bool is_finite_at(size_t i)
 {
     for (int k = 0; k < STORED_STREAMS; k++)
-        if (!isfinite(s->stream[k][i]))
+        if (!isfinite(stored.stream[k][i]))
             return false;
     return true;
 }
 
-tribox_box bounds_of(const stored_soup *s, size_t first, size_t count)
+tribox_box bounds_of(size_t first, size_t count)
 {
     tribox_box box = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
-    for (size_t i = first; i < s->soup.count && i - first < count; i++)
-        for (int k = 0; k < STORED_STREAMS && is_finite_at(s, i); k++) {
-            box.lo[k / 3] = fminf((float)box.lo[k / 3], s->stream[k][i]);
-            box.hi[k / 3] = fmaxf((float)box.hi[k / 3], s->stream[k][i]);
+    for (size_t i = first; i < stored.soup.count && i - first < count; i++)
+        for (int k = 0; k < STORED_STREAMS && is_finite_at(i); k++) {
+            box.lo[k / 3] = fminf((float)box.lo[k / 3], stored.stream[k][i]);
+            box.hi[k / 3] = fmaxf((float)box.hi[k / 3], stored.stream[k][i]);
         }
     return box;
 }
 
 /* The bounds of a triangle, of some, of a word or of as much as a node has. */
-static tribox_box draw_bounds_of_run(random_source *r, const stored_soup *s)
+static tribox_box draw_bounds_of_run(random_source *r)
 {
     static const size_t sizes[] = {1, 1, 64, 64, 64, 200, TRIBOX_INDEX_BLOCK};
-    const size_t size = sizes[random_int(r, sizeof sizes / sizeof sizes[0])], any = random_below(r, s->soup.count);
-    return bounds_of(s, size % 64 ? any : any / size * size, size);
+    const size_t size = sizes[random_int(r, sizeof sizes / sizeof sizes[0])], any = random_below(r, stored.soup.count);
+    return bounds_of(size % 64 ? any : any / size * size, size);
 }
 
 static void join(tribox_box *box, const tribox_box *other)
@@ -263,13 +264,13 @@ static tribox_box beside(random_source *r, tribox_box box)
 }
 
 /* Bounds that are any finite numbers of the soup. */
-static tribox_box draw_of_numbers(random_source *r, const stored_soup *s)
+static tribox_box draw_of_numbers(random_source *r)
 {
     tribox_box box;
     for (int a = 0; a < 3; a++) {
         float u[2];
         for (int k = 0; k < 2; k++) {
-            u[k] = s->stream[3 * a + random_int(r, 3)][random_below(r, s->soup.count)];
+            u[k] = stored.stream[3 * a + random_int(r, 3)][random_below(r, stored.soup.count)];
             u[k] = isfinite(u[k]) ? u[k] : 0;
         }
         box.lo[a] = fminf(u[0], u[1]);
@@ -278,15 +279,15 @@ static tribox_box draw_of_numbers(random_source *r, const stored_soup *s)
     return box;
 }
 
-tribox_box draw_box(random_source *r, const stored_soup *s)
+tribox_box draw_box(random_source *r)
 {
     tribox_box box = {{-FLT_MAX, -FLT_MAX, -FLT_MAX}, {FLT_MAX, FLT_MAX, FLT_MAX}};
     const int kind = random_int(r, 20), a = random_int(r, 3);
-    if (kind == 0 || !s->soup.count)
+    if (kind == 0 || !stored.soup.count)
         return box;
-    box = kind < 8 ? draw_of_numbers(r, s) : kind == 8 ? bounds_of(s, 0, s->soup.count) : draw_bounds_of_run(r, s);
+    box = kind < 8 ? draw_of_numbers(r) : kind == 8 ? bounds_of(0, stored.soup.count) : draw_bounds_of_run(r);
     if (kind >= 14) {
-        const tribox_box other = draw_bounds_of_run(r, s);
+        const tribox_box other = draw_bounds_of_run(r);
         join(&box, &other);
     }
     if (kind >= 18)

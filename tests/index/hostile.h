@@ -3,11 +3,11 @@
 #define TRIBOX_TESTS_HOSTILE_H
 
 #include "common/scenes.h"
-#include "stored_soup.h"
+#include "stored.h"
 
 typedef struct soup_kind {
     const char *name;
-    void (*draw)(random_source *r, stored_soup *s);
+    void (*draw)(random_source *r);
 } soup_kind;
 
 size_t soup_kind_count(void);
@@ -17,10 +17,10 @@ const soup_kind *soup_kind_at(size_t i);
  * Words and nodes that lie in cells of their own, one beside the other: a box that follows a lattice has words, nodes and nodes of
  * nodes wholly inside. The first of the kinds.
  */
-void draw_cells(random_source *r, stored_soup *s);
+void draw_cells(random_source *r);
 
 /* Writes a scene's triangles from the first one on, as far as the soup goes. */
-void put_batch(stored_soup *s, size_t first, const scene_batch *batch);
+void put_batch(size_t first, const scene_batch *batch);
 
 /* What is NaN or infinite. */
 typedef enum dirt {
@@ -37,13 +37,13 @@ typedef enum dirt {
 } dirt;
 
 /* One of a triangle's numbers, or several. */
-void spoil_triangle(random_source *r, stored_soup *s, size_t i);
-void spoil_soup(random_source *r, stored_soup *s, dirt kind);
+void spoil_triangle(random_source *r, size_t i);
+void spoil_soup(random_source *r, dirt kind);
 
 /* Lower and upper bounds of the finite triangles of a range; an empty box if there are none. */
-tribox_box bounds_of(const stored_soup *s, size_t first, size_t count);
+tribox_box bounds_of(size_t first, size_t count);
 
 /* A finite box whose bounds are numbers of the soup, or an ulp next to them; empty, flat and point ones among them. */
-tribox_box draw_box(random_source *r, const stored_soup *s);
+tribox_box draw_box(random_source *r);
 
 #endif

@@ -14,11 +14,11 @@ static int make_all(void) { return index_fixture_make(TRIANGLES, BOXES); }
 static void draw_soup(random_source *r, const soup_kind *kind)
 {
     const int most = random_int(r, 12) ? 300 : TRIANGLES, shift = random_int(r, 2 * STORED_SHIFTS);
-    stored_soup_lay(&stored, (size_t)random_int(r, most + 1), shift < STORED_SHIFTS ? shift : STORED_AT_END);
-    kind->draw(r, &stored);
-    spoil_soup(r, &stored, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
+    stored_soup_lay((size_t)random_int(r, most + 1), shift < STORED_SHIFTS ? shift : STORED_AT_END);
+    kind->draw(r);
+    spoil_soup(r, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
     const tribox_options options = any_index_options(r);
-    stored_soup_build(&stored, options.kernel);
+    stored_build(options.kernel);
 }
 
 /* A soup, some boxes one by one, and the same at once. */
@@ -29,8 +29,8 @@ static void check_soup(random_source *r, const soup_kind *kind)
     draw_soup(r, kind);
     const tribox_options options = any_index_options(r);
     for (int b = 0; b < BOXES; b++) {
-        const tribox_box box = draw_box(r, &stored);
-        check_forms(&fences, &stored, &box, &options, kind->name);
+        const tribox_box box = draw_box(r);
+        check_forms(&box, &options, kind->name);
         for (int a = 0; a < 3; a++) {
             bound[a][b] = (float)box.lo[a];
             bound[3 + a][b] = (float)box.hi[a];
@@ -40,7 +40,7 @@ static void check_soup(random_source *r, const soup_kind *kind)
         boxes.lo[a] = bound[a];
         boxes.hi[a] = bound[3 + a];
     }
-    check_lists(&fences, &stored, &boxes, &options, kind->name);
+    check_lists(&boxes, &options, kind->name);
 }
 
 CASE(test_hostile_soups)
@@ -60,14 +60,14 @@ CASE(test_scenes)
         scene_batch batch;
         random_source r = random_named(args.seed, scene_at(i)->name);
         scene_draw_batch(scene_at(i), &r, &batch);
-        stored_soup_lay(&stored, SCENE_TRIANGLES, STORED_AT_END);
-        put_batch(&stored, 0, &batch);
-        stored_soup_build(&stored, names[i % (size_t)kernels]);
+        stored_soup_lay(SCENE_TRIANGLES, STORED_AT_END);
+        put_batch(0, &batch);
+        stored_build(names[i % (size_t)kernels]);
         for (int k = 0; k < kernels; k++)
             for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
                 for (unsigned axes = TRIBOX_AXES_BOX; axes <= TRIBOX_AXES_ALL; axes += 2)
-                    check_forms(&fences, &stored, &batch.box,
-                                &(tribox_options){.accuracy = accuracy, .axes = axes, .kernel = names[k]}, scene_at(i)->name);
+                    check_forms(&batch.box, &(tribox_options){.accuracy = accuracy, .axes = axes, .kernel = names[k]},
+                                scene_at(i)->name);
     }
 }
 

@@ -9,41 +9,38 @@
 #include "hostile.h"
 #include "forms.h"
 #include "index/local_bounds.h"
-#include "stored_mesh.h"
 
 enum { TRIANGLES = 2000, LARGE = 64 * TRIBOX_INDEX_BLOCK + 100, BOXES = 12, PAIRS_A_QUESTION = 20 };
 
-static stored_mesh mesh;
-
 static int make_all(void)
 {
-    mesh = stored_mesh_make(LARGE);
+    stored_mesh_make(LARGE);
     return index_fixture_make(LARGE, 1);
 }
 
 static void draw_soup(random_source *r, const soup_kind *kind, size_t count)
 {
-    stored_soup_lay(&stored, count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
-    kind->draw(r, &stored);
-    spoil_soup(r, &stored, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
+    stored_soup_lay(count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
+    kind->draw(r);
+    spoil_soup(r, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
 }
 
 static void draw_mesh(random_source *r, const soup_kind *kind, size_t count)
 {
     draw_soup(r, kind, count);
     const mesh_layout layout = draw_layout(r, count);
-    stored_mesh_lay(r, &mesh, &layout, &stored);
-    stored_soup_build(&stored, names[random_int(r, kernels)]);
+    stored_mesh_lay(r, &layout);
+    stored_build(names[random_int(r, kernels)]);
 }
 
 static void ask_all(random_source *r, const tribox_box *about, const char *name)
 {
-    const tribox_box box = box_in_place(r, &mesh.layout, about);
+    const tribox_box box = box_in_place(r, about);
     const tribox_options options = any_index_options(r);
     char what[128];
-    snprintf(what, sizeof what, "%s, mesh of %u bytes, numbers of %u, scale %g, offset %g", name, mesh.layout.form.position_bytes,
-             mesh.layout.form.index_bytes, mesh.layout.place.scale, mesh.layout.place.offset[0]);
-    check_forms(&fences, &stored, &box, &options, what);
+    snprintf(what, sizeof what, "%s, mesh of %u bytes, numbers of %u, scale %g, offset %g", name, stored.layout.form.position_bytes,
+             stored.layout.form.index_bytes, stored.layout.place.scale, stored.layout.place.offset[0]);
+    check_forms(&box, &options, what);
 }
 
 CASE(test_hostile_meshes)
@@ -54,7 +51,7 @@ CASE(test_hostile_meshes)
         for (size_t round = 0; round < rounds; round++) {
             draw_mesh(&r, soup_kind_at(k), (size_t)random_int(&r, random_int(&r, 12) ? 300 : TRIANGLES));
             for (int b = 0; b < BOXES; b++) {
-                const tribox_box box = draw_box(&r, &stored);
+                const tribox_box box = draw_box(&r);
                 ask_all(&r, &box, soup_kind_at(k)->name);
             }
         }
@@ -68,11 +65,11 @@ CASE(test_mesh_scenes)
         scene_batch batch;
         random_source r = random_named(args.seed, scene_at(i)->name);
         scene_draw_batch(scene_at(i), &r, &batch);
-        stored_soup_lay(&stored, SCENE_TRIANGLES, STORED_AT_END);
-        put_batch(&stored, 0, &batch);
+        stored_soup_lay(SCENE_TRIANGLES, STORED_AT_END);
+        put_batch(0, &batch);
         const mesh_layout layout = draw_layout(&r, SCENE_TRIANGLES);
-        stored_mesh_lay(&r, &mesh, &layout, &stored);
-        stored_soup_build(&stored, names[i % (size_t)kernels]);
+        stored_mesh_lay(&r, &layout);
+        stored_build(names[i % (size_t)kernels]);
         for (int n = 0; n < 3 * kernels; n++)
             ask_all(&r, &batch.box, scene_at(i)->name);
     }
@@ -87,7 +84,7 @@ CASE(test_levels)
         draw_mesh(&r, soup_kind_at(0), counts[c]);
         for (int b = 0; b < 6; b++) {
             const size_t part = b % 2 ? TRIBOX_INDEX_BLOCK : counts[c];
-            const tribox_box box = b < 4 ? draw_box(&r, &stored) : bounds_of(&stored, 0, part);
+            const tribox_box box = b < 4 ? draw_box(&r) : bounds_of(0, part);
             ask_all(&r, &box, "cells");
         }
     }
@@ -96,7 +93,7 @@ CASE(test_levels)
 /* A build of these triangles by a kernel, to be compared with that of the stored index. */
 static void expect_same_bytes(const tribox_index *index, const char *kernel, const char *what)
 {
-    const size_t bytes = stored_index_bytes(&stored);
+    const size_t bytes = stored_index_bytes();
     unsigned char *const again = malloc(bytes);
     assert_non_null(again);
     assert_int_equal(tribox_index_build(index, &(tribox_options){.kernel = kernel}, again), TRIBOX_OK);
@@ -113,12 +110,12 @@ CASE(test_bytes)
         for (int round = 0; round < 4; round++) {
             draw_mesh(&r, soup_kind_at(k), (size_t)random_int(&r, round ? 600 : 2 * TRIBOX_INDEX_BLOCK));
             for (int n = 0; n < kernels; n++) {
-                mesh_layout other = mesh.layout;
+                mesh_layout other = stored.layout;
                 other.form.order = (vertex_order)random_int(&r, VERTEX_ORDERS);
                 other.form.gap = random_int(&r, 2) ? 8 : 0;
-                stored_mesh_lay(&r, &mesh, &other, &stored);
+                stored_mesh_lay(&r, &other);
                 expect_same_bytes(&stored.index, names[n], "another layout");
-                if (mesh.layout.form.position_bytes != 8)
+                if (stored.layout.form.position_bytes != 8)
                     expect_same_bytes(&(tribox_index){.soup = &stored.soup}, names[n], "the soup");
             }
         }
@@ -137,7 +134,7 @@ CASE(test_updates)
             for (size_t i = first; i < first + changed; i++)
                 for (int k = 0; k < STORED_STREAMS; k++)
                     stored.stream[k][i] = random_int(&r, 50) ? (float)random_int_between(&r, -100, 100) : INFINITY;
-            stored_mesh_write(&mesh, &stored, first, changed);
+            stored_mesh_write(first, changed);
             const tribox_options options = {.kernel = names[random_int(&r, kernels)]};
             assert_int_equal(tribox_index_update(&stored.index, first, changed, &options, stored.nodes), TRIBOX_OK);
             expect_same_bytes(&stored.index, names[n % kernels], "an update");
@@ -156,19 +153,6 @@ static void draw_words(random_source *r)
                                   (float)random_int_between(r, 0, 4);
 }
 
-/* How many overlap, without a look at the mesh. */
-static size_t count_unseen(const tribox_box *box, const char *kernel)
-{
-    tribox_report report = {SIZE_MAX, SIZE_MAX};
-    snprintf(doing, sizeof doing, "a question that needs no triangle, kernel %s", kernel);
-    stored_mesh_hide(&mesh, true);
-    const tribox_status status =
-        tribox_index_overlap(&stored.index, &(tribox_region){.box = box}, &(tribox_options){.kernel = kernel}, NULL, &report);
-    stored_mesh_hide(&mesh, false);
-    assert_int_equal(status, TRIBOX_OK);
-    return report.overlapping;
-}
-
 /* A thousandth of a unit beside a word, and about it: nothing is read, far from zero too, where floats are units apart. */
 CASE(test_unseen)
 {
@@ -178,12 +162,13 @@ CASE(test_unseen)
         const double at = far[n % 3];
         const mesh_layout layout = {.form = {.position_bytes = 8, .index_bytes = 4, .is_at_end = true},
                                     .place = {1, {at, -at, at}}};
-        stored_soup_lay(&stored, 64 * 300, STORED_AT_END);
+        stored_soup_lay(64 * 300, STORED_AT_END);
         draw_words(&r);
-        stored_mesh_lay(&r, &mesh, &layout, &stored);
-        stored_soup_build(&stored, names[n / 3]);
+        stored_mesh_lay(&r, &layout);
+        const tribox_options options = {.kernel = names[n / 3]};
+        stored_build(options.kernel);
         for (int word = 0; word < 300; word += 7) {
-            const tribox_box of_word = bounds_of(&stored, 64 * (size_t)word, 64);
+            const tribox_box of_word = bounds_of(64 * (size_t)word, 64);
             tribox_box about, beside;
             for (int a = 0; a < 3; a++) {
                 about.lo[a] = of_word.lo[a] + layout.place.offset[a] - 0.001;
@@ -192,8 +177,8 @@ CASE(test_unseen)
             beside = about;
             beside.lo[word % 3] = about.hi[word % 3] + 0.001;
             beside.hi[word % 3] = beside.lo[word % 3] + 100;
-            assert_int_equal(count_unseen(&about, names[n / 3]), 64);
-            assert_int_equal(count_unseen(&beside, names[n / 3]), 0);
+            assert_int_equal(count_unseen(&(tribox_region){.box = &about}, &options, "about a word"), 64);
+            assert_int_equal(count_unseen(&(tribox_region){.box = &beside}, &options, "beside a word"), 0);
         }
     }
 }
@@ -201,7 +186,7 @@ CASE(test_unseen)
 static bool has_vertices(size_t i)
 {
     for (size_t v = 0; v < 3; v++)
-        if (laid_mesh_index(&mesh.mesh, 3 * i + v) >= mesh.mesh.vertices)
+        if (laid_mesh_index(&stored.mesh, 3 * i + v) >= stored.mesh.vertices)
             return false;
     return true;
 }
@@ -245,16 +230,16 @@ CASE(test_changed)
         draw_soup(&r, soup_kind_at(round % soup_kind_count()), count);
         mesh_layout layout = draw_layout(&r, count);
         layout.form.index_bytes = layout.form.index_bytes ? layout.form.index_bytes : 4;
-        stored_mesh_lay(&r, &mesh, &layout, &stored);
-        stored_soup_build(&stored, NULL);
-        const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &layout, &about);
+        stored_mesh_lay(&r, &layout);
+        stored_build(NULL);
+        const tribox_box about = draw_box(&r), box = box_in_place(&r, &about);
         tribox_options options = any_index_options(&r);
         options.accuracy = options.accuracy == TRIBOX_FAST ? TRIBOX_EXACT : options.accuracy;
         uint64_t *const before = malloc((words + 1) * sizeof *before);
-        assert_int_equal(tribox_mesh_overlap(&mesh.mesh, &box, &options, before, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_overlap(&stored.mesh, &box, &options, before, NULL), TRIBOX_OK);
         for (size_t lost = random_below(&r, 1 + count / 3); lost > 0; lost--) {
             const size_t corner = random_below(&r, 3 * count);
-            laid_mesh_set_index(&mesh.mesh, corner, mesh.mesh.vertices + random_below(&r, 3));
+            laid_mesh_set_index(&stored.mesh, corner, stored.mesh.vertices + random_below(&r, 3));
         }
         check_lost(&box, before, &options);
         options.accuracy = TRIBOX_FAST; /* for what it reads */
@@ -269,16 +254,16 @@ CASE(test_shrunk)
     random_source r = random_named(args.seed, "shrunk");
     for (int round = 0; round < 100; round++) {
         draw_mesh(&r, soup_kind_at((size_t)round % soup_kind_count()), 1 + random_below(&r, 500));
-        const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &mesh.layout, &about);
+        const tribox_box about = draw_box(&r), box = box_in_place(&r, &about);
         const tribox_options options = any_index_options(&r);
         tribox_report report;
-        mesh.mesh.vertices = random_below(&r, 2) ? random_below(&r, 3 * stored.soup.count) : 0;
-        if (mesh.layout.form.order != ROWS)
+        stored.mesh.vertices = random_below(&r, 2) ? random_below(&r, 3 * stored.soup.count) : 0;
+        if (stored.layout.form.order != ROWS)
             continue;
-        const size_t bytes = mesh.mesh.position_bytes == 8 ? 24 : 12, stride = mesh.mesh.stride ? mesh.mesh.stride : bytes;
-        const size_t left = mesh.mesh.vertices ? (mesh.mesh.vertices - 1) * stride + bytes : 0;
-        void *const kept = guarded_tail(mesh.fences.positions, left);
-        mesh.mesh.positions = memmove(kept, mesh.mesh.positions, left);
+        const size_t bytes = stored.mesh.position_bytes == 8 ? 24 : 12, stride = stored.mesh.stride ? stored.mesh.stride : bytes;
+        const size_t left = stored.mesh.vertices ? (stored.mesh.vertices - 1) * stride + bytes : 0;
+        void *const kept = guarded_tail(stored.mesh_fences.positions, left);
+        stored.mesh.positions = memmove(kept, stored.mesh.positions, left);
         assert_int_equal(tribox_index_overlap(&stored.index, &(tribox_region){.box = &box}, &options, NULL, &report), TRIBOX_OK);
         assert_int_equal(tribox_index_build(&stored.index, &options, stored.nodes), TRIBOX_BAD_VERTEX);
     }
@@ -310,10 +295,10 @@ CASE(test_turned)
         const soup_kind *const kind = soup_kind_at(round % soup_kind_count());
         draw_mesh(&r, kind, 1 + random_below(&r, round % 20 ? 500 : TRIBOX_INDEX_BLOCK + 200));
         for (int b = 0; b < 3; b++) {
-            const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &mesh.layout, &about);
+            const tribox_box about = draw_box(&r), box = box_in_place(&r, &about);
             const tribox_oriented_box turned = draw_turned(&r, &box);
             const tribox_options options = any_turned_options(&r);
-            check_turned(&fences, &stored, &turned, &options, kind->name);
+            check_turned(&turned, &options, kind->name);
         }
     }
 }
@@ -327,15 +312,15 @@ CASE(test_turned_and_changed)
         draw_soup(&r, soup_kind_at(round % soup_kind_count()), count);
         mesh_layout layout = draw_layout(&r, count);
         layout.form.index_bytes = layout.form.index_bytes ? layout.form.index_bytes : 4;
-        stored_mesh_lay(&r, &mesh, &layout, &stored);
-        stored_soup_build(&stored, NULL);
-        const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &layout, &about);
+        stored_mesh_lay(&r, &layout);
+        stored_build(NULL);
+        const tribox_box about = draw_box(&r), box = box_in_place(&r, &about);
         const tribox_oriented_box turned = draw_turned(&r, &box);
         const tribox_region region = {.oriented = &turned};
         uint64_t before[5] = {0}, after[5] = {0};
-        assert_int_equal(tribox_mesh_overlap_oriented(&mesh.mesh, &turned, NULL, before, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_overlap_oriented(&stored.mesh, &turned, NULL, before, NULL), TRIBOX_OK);
         for (size_t lost = random_below(&r, 1 + count / 3); lost > 0; lost--) {
-            laid_mesh_set_index(&mesh.mesh, random_below(&r, 3 * count), mesh.mesh.vertices);
+            laid_mesh_set_index(&stored.mesh, random_below(&r, 3 * count), stored.mesh.vertices);
         }
         assert_int_equal(tribox_index_overlap(&stored.index, &region, NULL, after, NULL), TRIBOX_OK);
         for (size_t i = 0; i < count; i++)

@@ -14,17 +14,17 @@ static int make_all(void) { return index_fixture_make(COUNT_MAX, 1); }
 
 static void draw(random_source *r, size_t count, dirt kind, int shift)
 {
-    stored_soup_lay(&stored, count, shift);
-    draw_cells(r, &stored);
-    spoil_soup(r, &stored, kind);
-    stored_soup_build(&stored, names[random_int(r, kernels)]);
+    stored_soup_lay(count, shift);
+    draw_cells(r);
+    spoil_soup(r, kind);
+    stored_build(names[random_int(r, kernels)]);
 }
 
 /* With all kernels and accuracies in turn, as a soup of all counts times all of them would take minutes. */
 static void check(const tribox_box *box, size_t turn)
 {
     const tribox_options options = {.accuracy = (tribox_accuracy)(turn % 3), .kernel = names[turn / 3 % (size_t)kernels]};
-    check_forms(&fences, &stored, box, &options, "cells");
+    check_forms(box, &options, "cells");
 }
 
 /* Every count, with every kind of dirt; the long ones with one kind each. */
@@ -37,7 +37,7 @@ CASE(test_counts)
         for (int kind = is_long ? (int)c % DIRTS : 0; kind < (is_long ? (int)c % DIRTS + 1 : DIRTS); kind++) {
             draw(&r, counts[c], (dirt)kind, kind % 2 ? STORED_AT_END : kind);
             for (size_t b = 0; b < (is_long ? boxes_of_many : BOXES); b++) {
-                const tribox_box box = draw_box(&r, &stored);
+                const tribox_box box = draw_box(&r);
                 check(&box, b);
             }
         }
@@ -49,7 +49,7 @@ static void check_parts(size_t count)
 {
     const size_t sizes[] = {count, count - 1, count - count % 64, count - count % TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK, 64, 1};
     for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
-        const tribox_box box = bounds_of(&stored, 0, sizes[k]), last = bounds_of(&stored, count - 1 - (count - 1) % 64, sizes[k]);
+        const tribox_box box = bounds_of(0, sizes[k]), last = bounds_of(count - 1 - (count - 1) % 64, sizes[k]);
         check(&box, k);
         check(&last, k + 1);
     }
@@ -63,7 +63,7 @@ CASE(test_dirt)
         draw(&r, kind % 2 ? 2 * TRIBOX_INDEX_BLOCK : TRIBOX_INDEX_BLOCK + 100, (dirt)kind, STORED_AT_END);
         check_parts(stored.soup.count);
         draw(&r, kind % 2 ? COUNT_MAX : 64 * TRIBOX_INDEX_BLOCK - 64, (dirt)kind, STORED_AT_END);
-        const tribox_box all = bounds_of(&stored, 0, stored.soup.count), most = bounds_of(&stored, 5000, 200000);
+        const tribox_box all = bounds_of(0, stored.soup.count), most = bounds_of(5000, 200000);
         check(&all, kind);
         check(&most, kind + 5);
     }
@@ -76,9 +76,9 @@ CASE(test_dirt_in_a_word)
     for (size_t count = 64; count <= 200; count += 17)
         for (size_t at = 0; at < count; at += 1 + at / 64) {
             draw(&r, count, DIRT_NONE, STORED_AT_END);
-            const tribox_box box = bounds_of(&stored, 0, count);
-            spoil_triangle(&r, &stored, at);
-            stored_soup_build(&stored, names[at % (size_t)kernels]);
+            const tribox_box box = bounds_of(0, count);
+            spoil_triangle(&r, at);
+            stored_build(names[at % (size_t)kernels]);
             check(&box, at);
         }
 }
@@ -90,7 +90,7 @@ CASE(test_alignment)
     for (int shift = 0; shift < STORED_SHIFTS; shift++)
         for (int k = 0; k < kernels; k++) {
             draw(&r, 5000, DIRT_ONE, shift);
-            const tribox_box box = draw_box(&r, &stored);
+            const tribox_box box = draw_box(&r);
             check(&box, (size_t)(3 * k + shift % 3));
         }
 }

@@ -31,17 +31,17 @@ CASE(test_rooms)
         for (size_t turn = 0; turn < 3 * (size_t)kernels; turn++) {
             const tribox_options options = {.accuracy = (tribox_accuracy)(turn % 3), .kernel = names[turn / 3]};
             tribox_box box[BOXES];
-            stored_soup_lay(&stored, counts[c], STORED_AT_END);
-            draw_cells(&r, &stored);
-            spoil_soup(&r, &stored, turn % 2 ? DIRT_ONE : DIRT_NONE);
-            stored_soup_build(&stored, options.kernel);
+            stored_soup_lay(counts[c], STORED_AT_END);
+            draw_cells(&r);
+            spoil_soup(&r, turn % 2 ? DIRT_ONE : DIRT_NONE);
+            stored_build(options.kernel);
             for (int b = 0; b < 2 * BOXES; b++) {
-                box[b % BOXES] = b < BOXES ? draw_box(&r, &stored) : box[b % BOXES];
-                check_forms(&fences, &stored, &box[b % BOXES], &options, "cells");
+                box[b % BOXES] = b < BOXES ? draw_box(&r) : box[b % BOXES];
+                check_forms(&box[b % BOXES], &options, "cells");
             }
             const tribox_boxes boxes = streams_of(box, BOXES);
             for (int n = 0; n < 10; n++)
-                check_lists(&fences, &stored, &boxes, &options, "cells");
+                check_lists(&boxes, &options, "cells");
         }
 }
 
@@ -50,10 +50,10 @@ CASE(test_thin_boxes)
 {
     random_source r = random_named(args.seed, "thin boxes");
     for (int k = 0; k < kernels; k++) {
-        stored_soup_lay(&stored, 4200, STORED_AT_END);
-        draw_cells(&r, &stored);
-        stored_soup_build(&stored, names[k]);
-        const tribox_box all = bounds_of(&stored, 0, stored.soup.count);
+        stored_soup_lay(4200, STORED_AT_END);
+        draw_cells(&r);
+        stored_build(names[k]);
+        const tribox_box all = bounds_of(0, stored.soup.count);
         for (int turn = 0; turn < 60; turn++) {
             const size_t i = random_below(&r, stored.soup.count);
             const int a = turn % 3, v = random_int(&r, 3);
@@ -71,7 +71,7 @@ CASE(test_thin_boxes)
                     box.lo[b] = box.hi[b] = stored.stream[3 * b + v][i];
             const tribox_options options = {.accuracy = (tribox_accuracy)(turn / 4 % 3), .kernel = names[k]};
             if (isfinite(*lo))
-                check_forms(&fences, &stored, &box, &options, "thin boxes");
+                check_forms(&box, &options, "thin boxes");
         }
     }
 }
@@ -84,11 +84,11 @@ CASE(test_boxes_without_lists)
     for (int k = 0; k < kernels; k++)
         for (int kind = 0; kind < 5 * 6; kind++) {
             tribox_box box[BOXES];
-            stored_soup_lay(&stored, 300, STORED_AT_END);
-            draw_cells(&r, &stored);
-            stored_soup_build(&stored, names[k]);
+            stored_soup_lay(300, STORED_AT_END);
+            draw_cells(&r);
+            stored_build(names[k]);
             for (int b = 0; b < BOXES; b++) {
-                box[b] = bounds_of(&stored, 0, 300);
+                box[b] = bounds_of(0, 300);
                 double *const bound = kind < 15 ? box[b].lo : box[b].hi;
                 if (random_int(&r, 2))
                     bound[kind % 3] = kind / 3 % 5 < 4 ? bad[kind / 3 % 5] : kind < 15 ? INFINITY : -INFINITY;
@@ -97,8 +97,7 @@ CASE(test_boxes_without_lists)
             }
             for (size_t count = 0; count <= BOXES; count++) {
                 const tribox_boxes boxes = streams_of(box, count);
-                check_lists(&fences, &stored, &boxes,
-                            &(tribox_options){.accuracy = (tribox_accuracy)(count % 3), .kernel = names[k]}, "cells");
+                check_lists(&boxes, &(tribox_options){.accuracy = (tribox_accuracy)(count % 3), .kernel = names[k]}, "cells");
             }
         }
 }

@@ -7,20 +7,17 @@
 #include "common/harness.h"
 #include "common/fences.h"
 #include "hostile.h"
-#include "stored_mesh.h"
 
 enum { COUNT_MAX = 64 * TRIBOX_INDEX_BLOCK + 100, PAIRS = 100000, ROUNDS = 36, MANY = 40 * TRIBOX_INDEX_BLOCK + 77, THREADS = 6 };
 
-static stored_soup stored;
 static guarded fence;         /* of the index that is updated */
-static stored_mesh mesh;      /* of the same triangles, in double, in every other round */
 static unsigned char *shared; /* an index that threads write */
 
 static int make_all(void)
 {
-    stored = stored_soup_make(COUNT_MAX);
+    stored_make(COUNT_MAX);
     fence = guarded_make(tribox_index_bytes(COUNT_MAX) + STORED_SHIFTS);
-    mesh = stored_mesh_make(MANY);
+    stored_mesh_make(MANY);
     return 0;
 }
 
@@ -29,9 +26,9 @@ static tribox_options any_kernel(random_source *r) { return (tribox_options){.ke
 static void draw(random_source *r, size_t count)
 {
     const soup_kind *const kind = soup_kind_at(random_below(r, soup_kind_count()));
-    stored_soup_lay(&stored, count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
-    kind->draw(r, &stored);
-    spoil_soup(r, &stored, (dirt)random_int(r, DIRTS));
+    stored_soup_lay(count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
+    kind->draw(r);
+    spoil_soup(r, (dirt)random_int(r, DIRTS));
 }
 
 /* Other triangles in a range: finite ones, and some that are not. */
@@ -41,14 +38,14 @@ static void change(random_source *r, size_t first, size_t count)
         for (int k = 0; k < STORED_STREAMS; k++)
             stored.stream[k][i] = random_sign_of_zero(r, (float)random_int_between(r, -60, 60));
         if (random_int(r, 50) == 0)
-            spoil_triangle(r, &stored, i);
+            spoil_triangle(r, i);
     }
 }
 
 /* A copy of the index as it is now, to be updated. */
 static fenced copied(void)
 {
-    const fenced copy = fenced_place(fence, stored_index_bytes(&stored), AT_END);
+    const fenced copy = fenced_place(fence, stored_index_bytes(), AT_END);
     memcpy(copy.at, stored.nodes, copy.bytes);
     return copy;
 }
@@ -65,7 +62,7 @@ static void update(const fenced *index, size_t first, size_t count, const tribox
 
 static void demand_as_built(const fenced *index, const char *kernel)
 {
-    stored_soup_build(&stored, kernel);
+    stored_build(kernel);
     if (memcmp(index->at, stored.nodes, index->bytes))
         fail_msg("%s: not the bytes of a build", doing);
 }
@@ -77,7 +74,7 @@ CASE(test_kernels)
     random_source r = random_named(args.seed, "kernels");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw(&r, counts[round % (sizeof counts / sizeof counts[0])]);
-        const fenced index = fenced_place(fence, stored_index_bytes(&stored), round % 2 ? AT_END : (int)(round % STORED_SHIFTS));
+        const fenced index = fenced_place(fence, stored_index_bytes(), round % 2 ? AT_END : (int)(round % STORED_SHIFTS));
         for (int k = 0; k < kernels; k++) {
             memset(index.at, 0x5a + k, index.bytes);
             snprintf(doing, sizeof doing, "tribox_index_build: %zu triangles, kernel %s", stored.soup.count, names[k]);
@@ -98,7 +95,7 @@ CASE(test_every_range)
     for (size_t first = 0; first <= COUNT; first++)
         for (size_t count = 0; count <= COUNT - first; count++) {
             const tribox_options options = any_kernel(&r);
-            stored_soup_build(&stored, options.kernel);
+            stored_build(options.kernel);
             const fenced index = copied();
             change(&r, first, count);
             update(&index, first, count, &options);
@@ -124,7 +121,7 @@ static void check_range(random_source *r)
     const size_t count = stored.soup.count, one = draw_place(r, count), other = draw_place(r, count);
     const size_t first = one < other ? one : other, end = one < other ? other : one;
     const tribox_options options = any_kernel(r);
-    stored_soup_build(&stored, options.kernel);
+    stored_build(options.kernel);
     const fenced index = copied();
     change(r, first, end - first);
     update(&index, first, end - first, &options);
@@ -158,7 +155,7 @@ CASE(test_blocks)
         order[b] = order[k];
         order[k] = b;
     }
-    const fenced index = fenced_place(fence, stored_index_bytes(&stored), AT_END);
+    const fenced index = fenced_place(fence, stored_index_bytes(), AT_END);
     for (size_t b = 0; b < blocks; b++) {
         const size_t first = order[b] * TRIBOX_INDEX_BLOCK, left = COUNT_MAX - first;
         const tribox_options options = any_kernel(&r);
@@ -180,7 +177,7 @@ CASE(test_whole)
     for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++)
         for (int k = 0; k < kernels; k++) {
             draw(&r, counts[c]);
-            const fenced index = fenced_place(fence, stored_index_bytes(&stored), AT_END);
+            const fenced index = fenced_place(fence, stored_index_bytes(), AT_END);
             update(&index, 0, counts[c], &(tribox_options){.kernel = names[k]});
             demand_as_built(&index, names[0]);
         }
@@ -223,15 +220,16 @@ static void share_out(void)
     }
 }
 
+/* In every other round as a mesh of doubles. */
 static void draw_many(random_source *r, bool is_mesh)
 {
-    stored_soup_lay(&stored, MANY, STORED_AT_END);
-    draw_cells(r, &stored);
-    spoil_soup(r, &stored, DIRT_ONE_IN_A_WORD);
+    stored_soup_lay(MANY, STORED_AT_END);
+    draw_cells(r);
+    spoil_soup(r, DIRT_ONE_IN_A_WORD);
     const mesh_layout layout = {.form = {.position_bytes = 8, .index_bytes = 4}, .place = {1, {1e6 / 3, -7, 1e9}}};
     if (is_mesh)
-        stored_mesh_lay(r, &mesh, &layout, &stored);
-    shared = guarded_tail(fence, stored_index_bytes(&stored));
+        stored_mesh_lay(r, &layout);
+    shared = guarded_tail(fence, stored_index_bytes());
 }
 
 /* Threads that build an index in ranges, as one would; for the thread sanitizer. */
@@ -243,11 +241,11 @@ CASE(test_threads)
         share_out();
         for (int t = 0; t < THREADS; t++)
             workers[t].options = (tribox_options){.kernel = k < 0 ? NULL : names[(k + t) % kernels]};
-        memset(shared, 0xff, stored_index_bytes(&stored));
+        memset(shared, 0xff, stored_index_bytes());
         run_all(update_range);
         assert_int_equal(tribox_index_update(&stored.index, 0, 0, NULL, shared), TRIBOX_OK);
-        stored_soup_build(&stored, names[0]);
-        assert_memory_equal(shared, stored.nodes, stored_index_bytes(&stored));
+        stored_build(names[0]);
+        assert_memory_equal(shared, stored.nodes, stored_index_bytes());
     }
 }
 
