@@ -44,6 +44,14 @@ bool oracle_is_near(const pair_f64 *pair, oracle_axes truth, unsigned groups);
 /* Whether some point of the triangle lies in the box. */
 bool oracle_clip(const pair_f64 *pair);
 
+/*
+ * Whether some point of the triangle lies in an oriented box, or with bounds_alone only whether its bounding box in the frame does;
+ * and the same with each half length changed by `change`. Finite numbers; a box with a negative half length is empty.
+ */
+bool oriented_oracle(const double u[3][3], const tribox_oriented_box *box, bool bounds_alone);
+bool oriented_oracle_within(const double u[3][3], const tribox_oriented_box *box, const double change[3], bool bounds_alone);
+void oriented_explain(FILE *out, const double u[3][3], const tribox_oriented_box *box);
+
 /* The pair in hexadecimal floats, and what each of the thirteen axes says. */
 void oracle_explain(FILE *out, const pair_f64 *pair);
 

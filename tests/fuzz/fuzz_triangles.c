@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "common/oracle.h"
-#include "oriented_oracle.h"
 #include "things.h"
 
 enum { BOX, ORIENTED, BOXES, FORMS };
@@ -58,7 +57,7 @@ static void find_truths(fuzz_case *q)
         const pair_f64 pair = pair_of(q, i);
         const corners u = (corners)pair.u;
         if (q->form == ORIENTED && are_finite(u[0], 9) && !is_empty(&q->oriented)) {
-            const bool bounds = oriented_oracle_bounds(u, &q->oriented), all = oriented_oracle(u, &q->oriented);
+            const bool bounds = oriented_oracle(u, &q->oriented, true), all = oriented_oracle(u, &q->oriented, false);
             ensure(bounds || !all, "the two oracles contradict each other");
             q->truth[i] = (truth){axes == TRIBOX_AXES_BOX ? bounds : all, true};
         } else if (q->form != ORIENTED && pair_f64_is_finite(&pair)) {

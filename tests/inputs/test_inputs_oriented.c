@@ -7,8 +7,8 @@
 
 #include "common/harness.h"
 #include "common/laid_mesh.h"
+#include "common/oracle.h"
 #include "exact/oriented/oriented.h"
-#include "oriented_oracle.h"
 #include "oriented_scenes.h"
 
 enum { STREAMS = 9, WORDS = (ORIENTED_TRIANGLES + 63) / 64 };
@@ -91,8 +91,8 @@ static void ask_oracle(void)
         if (!is_finite(batch.u[t]))
             continue;
         const const_triangle u = (const_triangle)batch.u[t];
-        bounds[t / 64] |= (uint64_t)oriented_oracle_bounds(u, &batch.box) << t % 64;
-        overlapping[t / 64] |= (uint64_t)oriented_oracle(u, &batch.box) << t % 64;
+        bounds[t / 64] |= (uint64_t)oriented_oracle(u, &batch.box, true) << t % 64;
+        overlapping[t / 64] |= (uint64_t)oriented_oracle(u, &batch.box, false) << t % 64;
     }
 }
 
