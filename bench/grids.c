@@ -13,9 +13,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "common/box_scenes.h"
 #include "console/pages.h"
-#include "common/asked.h"
-#include "read/mesh.h"
 
 enum { CHUNK = 8192, TILE = 128, TILE_OF_IDS = 64, WARM = 3 /* runs in memory that is not new */ };
 
@@ -402,27 +401,10 @@ static void tell(printout *out, const char *name, uint32_t resolution, const str
         NUMBER("ns_a_cell", 2, f->cells ? 1e9 * f->fresh / (double)f->cells : (double)NAN), NUMBER("MB", 1, f->megabytes));
 }
 
-/* `resolution` cubes along the longest side of its box, so that what lies on the far side lies inside. */
-static tribox_grid grid_about(const mesh *m, uint32_t resolution)
-{
-    tribox_box box = {{0, 0, 0}, {1, 1, 1}};
-    double longest = 0;
-    tribox_grid grid;
-    mesh_bounds(m, &box);
-    for (int a = 0; a < 3; a++)
-        longest = fmax(longest, box.hi[a] - box.lo[a]);
-    for (int a = 0; a < 3; a++) {
-        grid.origin[a] = box.lo[a];
-        grid.cell[a] = longest / resolution * 1.00001;
-        grid.size[a] = (uint32_t)fmax(1, ceil((box.hi[a] - box.lo[a]) / grid.cell[a]));
-    }
-    return grid;
-}
-
-static bool ask_grid(asked *q, const char *name, const mesh *m, uint32_t resolution)
+static bool ask_grid(asked *q, const index_scene *at, uint32_t resolution)
 {
     const uint64_t rounds = asked_number(q, OPTION_ROUNDS, asked_has(q, OPTION_QUICK) ? 1 : 5);
-    work w = {.soup = &m->soup, .grid = grid_about(m, resolution), .options = {.kernel = q->kernel}};
+    work w = {.soup = &at->room.soup, .grid = index_scene_grid(at, resolution), .options = {.kernel = q->kernel}};
     found least[WAYS] = {{0}}, f;
     w.tile = (uint32_t)q->number[OPTION_TILE];
     w.all = (size_t)w.grid.size[0] * w.grid.size[1] * w.grid.size[2];
@@ -432,7 +414,7 @@ static bool ask_grid(asked *q, const char *name, const mesh *m, uint32_t resolut
             if (!is_asked(q, k, w.all))
                 continue;
             if (!find_apart(&ways[k], &w, &f))
-                return message_failure("%s in %u cells, %s: no answer; is there memory for it?", name, (unsigned)resolution,
+                return message_failure("%s in %u cells, %s: no answer; is there memory for it?", at->name, (unsigned)resolution,
                                        ways[k].name) == EXIT_CODE_OK;
             f.fresh = round ? fmin(f.fresh, least[k].fresh) : f.fresh;
             f.warm = round ? fmin(f.warm, least[k].warm) : f.warm;
@@ -441,11 +423,11 @@ static bool ask_grid(asked *q, const char *name, const mesh *m, uint32_t resolut
         }
     if (!are_alike(q, w.all, least))
         return false;
-    printout_table(&q->out, "%s, %zu triangles, in %u x %u x %u cells; CPU time", name, m->soup.count, w.grid.size[0],
+    printout_table(&q->out, "%s, %zu triangles, in %u x %u x %u cells; CPU time", at->name, w.soup->count, w.grid.size[0],
                    w.grid.size[1], w.grid.size[2]);
     for (size_t k = 0; k < WAYS; k++)
         if (is_asked(q, k, w.all))
-            tell(&q->out, name, resolution, &ways[k], &least[k], is_asked(q, 0, w.all) ? &least[0] : NULL);
+            tell(&q->out, at->name, resolution, &ways[k], &least[k], is_asked(q, 0, w.all) ? &least[0] : NULL);
     return true;
 }
 
@@ -455,12 +437,12 @@ static bool answer(asked *q)
     asked_cells(q, asked_has(q, OPTION_QUICK) ? (const uint32_t[]){64, 128, 128} : (const uint32_t[]){64, 256, 1024},
                 asked_has(q, OPTION_QUICK) ? 2 : 3);
     for (size_t k = 0; is_right && k < q->meshes.count; k++) {
-        mesh m;
-        is_right = mesh_list_read(q->meshes.path[k], &m);
+        index_scene at;
+        if (!index_scene_read(q->meshes.path[k], &at))
+            return false;
         for (size_t n = 0; is_right && n < q->cell_counts; n++)
-            is_right = ask_grid(q, mesh_list_name(q->meshes.path[k]), &m, q->cells[n]);
-        if (is_right)
-            mesh_free(&m);
+            is_right = ask_grid(q, &at, q->cells[n]);
+        index_scene_free(&at);
     }
     return is_right;
 }

@@ -7,10 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/box_scenes.h"
 #include "paper/paper.h"
-#include "common/asked.h"
-#include "read/mesh.h"
-#include "timing/timing.h"
 
 enum { SIDE = 128, DEPTH_MAX = 9 };
 
@@ -208,71 +206,53 @@ static bool run_depth(asked *q, const char *name, octree *o)
 }
 
 /* Planes of few bits, so that floats hold those of all nodes, and a grid has the same. */
-static void make_cube(const mesh *m, octree *o)
+static void make_cube(const index_scene *at, octree *o)
 {
-    double longest = 0;
     int exponent;
-    for (int a = 0; a < 3; a++)
-        longest = fmax(longest, m->bounds.hi[a] - m->bounds.lo[a]);
-    frexp(longest, &exponent);
-    const double step = ldexp(1, exponent - 9), edge = (floor(longest / step) + 2) * step;
+    frexp(index_scene_extent(at), &exponent);
+    const double step = ldexp(1, exponent - 9), edge = (floor(index_scene_extent(at) / step) + 2) * step;
     for (int a = 0; a < 3; a++) {
-        o->cube.lo[a] = floor(m->bounds.lo[a] / step) * step;
+        o->cube.lo[a] = floor(at->bounds.lo[a] / step) * step;
         o->cube.hi[a] = o->cube.lo[a] + edge;
     }
 }
 
-static bool make_octree(const mesh *m, octree *o)
+static bool ask_scene(asked *q, const index_scene *at)
 {
-    const size_t count = m->soup.count;
-    *o = (octree){.soup = m->soup};
-    float(*const positions)[3] = malloc(3 * count * sizeof *positions);
-    uint32_t(*const indices)[3] = malloc(count * sizeof *indices);
-    o->mesh = (tribox_mesh){.positions = positions, .indices = indices, .index_bytes = 4, .count = count};
-    o->triangles = malloc(count * sizeof *o->triangles);
-    o->own = malloc(count * sizeof *o->own);
-    o->lists = malloc((DEPTH_MAX + 1) * (count + 1) * sizeof *o->lists);
-    o->bytes = malloc((DEPTH_MAX + 1) * (count + 1));
-    o->mask = malloc(tribox_mask_words(count) * sizeof *o->mask);
-    o->mesh.vertices = positions && indices && o->triangles ? weld_soup(&m->soup, positions, indices) : 0;
-    for (size_t i = 0; o->mesh.vertices && i < count; i++)
-        for (int v = 0; v < 3; v++)
-            memcpy(o->triangles[i][v], positions[indices[i][v]], sizeof positions[0]);
-    make_cube(m, o);
-    return o->mesh.vertices && o->own && o->lists && o->bytes && o->mask;
-}
-
-static void free_octree(octree *o)
-{
-    free((void *)(uintptr_t)o->mesh.positions);
-    free((void *)(uintptr_t)o->mesh.indices);
-    free(o->triangles);
-    free(o->own);
-    free(o->lists);
-    free(o->bytes);
-    free(o->mask);
-}
-
-static bool ask_mesh(asked *q, const char *path)
-{
-    mesh m;
-    octree o;
-    if (!mesh_list_read(path, &m))
+    const size_t count = at->room.soup.count;
+    timing_work work;
+    if (!index_scene_work(at, &work))
         return false;
-    bool is_run = make_octree(&m, &o) || message_failure("not enough memory") == EXIT_CODE_OK;
-    o.options = (tribox_options){.accuracy = asked_has(q, OPTION_FAST) ? TRIBOX_FAST : TRIBOX_EXACT, .kernel = q->kernel};
+    bool is_run = timing_work_mesh(&work) || message_failure("not enough memory") == EXIT_CODE_OK;
+    octree o = {.soup = work.jobs[0].soup,
+                .mesh = work.mesh,
+                .triangles = work.triangles,
+                .own = asked_allocate(count, sizeof *o.own),
+                .lists = asked_allocate((DEPTH_MAX + 1) * (count + 1), sizeof *o.lists),
+                .bytes = asked_allocate((DEPTH_MAX + 1) * (count + 1), 1),
+                .mask = asked_allocate(work.words, sizeof *o.mask),
+                .options = {.accuracy = asked_has(q, OPTION_FAST) ? TRIBOX_FAST : TRIBOX_EXACT, .kernel = q->kernel}};
+    make_cube(at, &o);
     for (o.depth = DEPTH_MAX - 2; is_run && o.depth <= DEPTH_MAX; o.depth += 2)
-        is_run = run_depth(q, mesh_list_name(path), &o);
-    free_octree(&o);
-    mesh_free(&m);
+        is_run = run_depth(q, at->name, &o);
+    free(o.own);
+    free(o.lists);
+    free(o.bytes);
+    free(o.mask);
+    timing_work_free(&work);
     return is_run;
 }
 
 static bool answer(asked *q)
 {
     bool is_right = true;
-    for (size_t k = 0; is_right && k < q->meshes.count; k++)
-        is_right = ask_mesh(q, q->meshes.path[k]);
+    for (size_t k = 0; is_right && k < q->meshes.count; k++) {
+        index_scene at;
+        if (!index_scene_read(q->meshes.path[k], &at))
+            return false;
+        is_right = ask_scene(q, &at);
+        index_scene_free(&at);
+    }
     return is_right;
 }
 

@@ -10,16 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/box_scenes.h"
 #include "common/rivals.h"
 #include "console/clock.h"
-#include "common/asked.h"
-#include "read/mesh.h"
-#include "timing/timing.h"
 #include "voxelize/layers.h"
 
 enum { EXACT, CONSERVATIVE, FAST, TWO_THREADS, RIVAL_SEIDEL, RIVAL_CELLS, READING, WRITING, TIMED };
-static const char *const names[TIMED] = {"exact",          "conservative", "fast",    "exact, 2 threads",
-                                         "Schwarz-Seidel", "cell by cell", "reading", "writing"};
 
 /* A soup and a grid. */
 typedef struct task {
@@ -32,112 +28,6 @@ typedef struct task {
     size_t step[TIMED];    /* every step-th triangle is timed */
     voxel_words answer;    /* what `writing` writes */
 } task;
-
-/* ---- soups ----------------------------------------------------------------------------------------------------------------- */
-
-/* A torus of 200,000 triangles; as many anywhere, a hundredth of the whole long; twelve across the whole. */
-enum { VOXEL_SCENES = 3 };
-static const char *const voxel_scene_names[VOXEL_SCENES] = {"torus", "small", "huge"};
-
-static bool make_room(timing_work *made, size_t count)
-{
-    return timing_work_make(made, 1, timing_work_room(count)) ||
-           message_failure("out of memory for %zu triangles", count) == EXIT_CODE_OK;
-}
-
-static bool complete(timing_work *made, size_t count)
-{
-    const timing_job job = timing_work_soup(made, count);
-    timing_work_add(made, &job, &(tribox_box){{0, 0, 0}, {1, 1, 1}});
-    return true;
-}
-
-static void torus_vertex(float u[3], int along, int around, int longs, int arounds)
-{
-    const double turn = 6.283185307179586, s = turn * along / longs, t = turn * around / arounds, r = 1 + 0.4 * cos(t);
-    u[0] = (float)(r * cos(s));
-    u[1] = (float)(r * sin(s));
-    u[2] = (float)(0.4 * sin(t));
-}
-
-static bool make_torus(timing_work *made)
-{
-    const int longs = 500, arounds = 200;
-    if (!make_room(made, (size_t)(2 * longs * arounds)))
-        return false;
-    size_t at = 0;
-    for (int s = 0; s < longs; s++)
-        for (int t = 0; t < arounds; t++)
-            for (int half = 0; half < 2; half++, at++) {
-                torus_vertex(made->triangles[at][0], s, t + half, longs, arounds);
-                torus_vertex(made->triangles[at][1], s + 1, t, longs, arounds);
-                torus_vertex(made->triangles[at][2], s + half, t + 1, longs, arounds);
-            }
-    return complete(made, at);
-}
-
-static bool make_random(timing_work *made, size_t count, float reach, uint64_t seed)
-{
-    generator g = {seed};
-    if (!make_room(made, count))
-        return false;
-    for (size_t i = 0; i < count; i++)
-        for (int a = 0; a < 3; a++) {
-            const float lo = random_between(&g, 0, 1 - reach);
-            for (int v = 0; v < 3; v++)
-                made->triangles[i][v][a] = random_between(&g, lo, lo + reach);
-        }
-    return complete(made, count);
-}
-
-static bool voxel_scene_make(size_t which, uint64_t seed, timing_work *made)
-{
-    return which == 0 ? make_torus(made) : which == 1 ? make_random(made, 200000, 0.01f, seed) : make_random(made, 12, 1, seed);
-}
-
-static bool voxel_scene_read(const char *path, timing_work *made)
-{
-    mesh m;
-    size_t count = 0;
-    *made = (timing_work){.count = 0};
-    if (!mesh_list_read(path, &m))
-        return false;
-    const bool is_made = make_room(made, m.soup.count);
-    for (size_t i = 0; is_made && i < m.soup.count; i++) {
-        float(*const u)[3] = made->triangles[count], sum = 0;
-        for (int v = 0; v < 3; v++) {
-            u[v][0] = m.soup.x[v][i];
-            u[v][1] = m.soup.y[v][i];
-            u[v][2] = m.soup.z[v][i];
-            for (int a = 0; a < 3; a++)
-                sum += u[v][a] - u[v][a];
-        }
-        count += sum == 0; /* finite: the rivals know nothing else */
-    }
-    mesh_free(&m);
-    return is_made && complete(made, count);
-}
-
-/* The grid of `resolution` cubes along the longest side of the soup's box. */
-static tribox_grid voxel_scene_grid(const timing_job *at, uint32_t resolution)
-{
-    float lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY}, longest = 0;
-    tribox_grid grid;
-    for (size_t i = 0; i < at->soup.count; i++)
-        for (int v = 0; v < 3; v++)
-            for (int a = 0; a < 3; a++) {
-                lo[a] = fminf(lo[a], at->triangles[i][v][a]);
-                hi[a] = fmaxf(hi[a], at->triangles[i][v][a]);
-            }
-    for (int a = 0; a < 3; a++)
-        longest = fmaxf(longest, hi[a] - lo[a]);
-    for (int a = 0; a < 3; a++) {
-        grid.origin[a] = (double)lo[a];
-        grid.cell[a] = (double)(longest / (float)resolution * 1.0001f); /* what lies on the far side lies inside */
-        grid.size[a] = (uint32_t)fmax(1, ceil((double)(hi[a] - lo[a]) / grid.cell[a]));
-    }
-    return grid;
-}
 
 /* ---- who is timed ---------------------------------------------------------------------------------------------------------- */
 
@@ -207,37 +97,40 @@ static void clear_and_pick(const contestant *self, uint64_t *bits)
         pick_sample(t, step);
 }
 
+/* A rival promises nothing until it is known to be fast enough. */
+static const struct entry {
+    const char *name;
+    contestant_run *run;
+    tribox_accuracy accuracy;
+    answer_promise promise;
+} entries[TIMED] = {
+    [EXACT] = {"exact", run_tribox, TRIBOX_EXACT, PROMISE_EXACT},
+    [CONSERVATIVE] = {"conservative", run_tribox, TRIBOX_CONSERVATIVE, PROMISE_SUPERSET},
+    [FAST] = {"fast", run_tribox, TRIBOX_FAST, PROMISE_ROUNDED},
+    [TWO_THREADS] = {"exact, 2 threads", run_threads, TRIBOX_EXACT, PROMISE_EXACT},
+    [RIVAL_SEIDEL] = {"Schwarz-Seidel", run_seidel, TRIBOX_EXACT, PROMISE_NOTHING},
+    [RIVAL_CELLS] = {"cell by cell", run_cells, TRIBOX_EXACT, PROMISE_NOTHING},
+    [READING] = {"reading", run_reading, TRIBOX_EXACT, PROMISE_NOTHING},
+    [WRITING] = {"writing", run_writing, TRIBOX_EXACT, PROMISE_EXACT},
+};
+
 /* Those that are timed, then EXACT on every kernel, to be verified. */
 static size_t enter(const task *t, const char *chosen, contestant *list)
 {
-    const contestant common = {.prepare = clear,
-                               .question = t,
-                               .options = {.kernel = chosen},
-                               .promise = PROMISE_EXACT,
-                               .pairs = (double)t->at->soup.count};
     const char *kernel;
-    for (int c = 0; c < TIMED; c++)
-        list[c] = common;
-    list[EXACT].run = list[CONSERVATIVE].run = list[FAST].run = run_tribox;
-    list[CONSERVATIVE].options.accuracy = TRIBOX_CONSERVATIVE;
-    list[CONSERVATIVE].promise = PROMISE_SUPERSET;
-    list[FAST].options.accuracy = TRIBOX_FAST;
-    list[FAST].promise = PROMISE_ROUNDED;
-    list[TWO_THREADS].run = run_threads;
-    list[TWO_THREADS].has_threads = true;
-    list[RIVAL_SEIDEL].run = run_seidel;
-    list[RIVAL_CELLS].run = run_cells;
-    list[READING].run = run_reading;
-    list[READING].promise = PROMISE_NOTHING;
-    list[WRITING].run = run_writing;
-    for (int c = RIVAL_SEIDEL; c <= RIVAL_CELLS; c++) {
-        list[c].prepare = clear_and_pick;
-        list[c].options.kernel = NULL;
-        list[c].promise = PROMISE_NOTHING; /* until it is known to be fast enough */
+    size_t count = 0;
+    for (; count < TIMED; count++) {
+        const struct entry *const e = &entries[count];
+        const bool is_rival = e->run == run_seidel || e->run == run_cells;
+        list[count] = (contestant){.run = e->run,
+                                   .prepare = is_rival ? clear_and_pick : clear,
+                                   .question = t,
+                                   .options = {.accuracy = e->accuracy, .kernel = is_rival ? NULL : chosen},
+                                   .promise = e->promise,
+                                   .pairs = (double)t->at->soup.count,
+                                   .has_threads = e->run == run_threads};
+        snprintf(list[count].name, sizeof list[count].name, "%s", e->name);
     }
-    for (int c = 0; c < TIMED; c++)
-        snprintf(list[c].name, sizeof list[c].name, "%s", names[c]);
-    size_t count = TIMED;
     for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++) {
         list[count] = list[EXACT];
         list[count].options.kernel = kernel;
@@ -322,11 +215,13 @@ typedef struct means {
     size_t count;
 } means;
 
-static bool ask_about(asked *q, const char *name, const timing_job *at, means *of_meshes)
+static bool ask_about(asked *q, const index_scene *scene, means *of_meshes)
 {
-    bool is_right = true;
+    timing_work work;
+    bool is_right = index_scene_work(scene, &work);
+    const timing_job *const at = work.jobs;
     for (size_t r = 0; is_right && r < q->cell_counts; r++) {
-        task t = {.name = name, .at = at, .grid = voxel_scene_grid(at, q->cells[r])};
+        task t = {.name = scene->name, .at = at, .grid = index_scene_grid(scene, q->cells[r])};
         for (size_t c = 0; c < TIMED; c++)
             t.step[c] = 1;
         t.words = tribox_window_words(t.grid.size);
@@ -341,6 +236,7 @@ static bool ask_about(asked *q, const char *name, const timing_job *at, means *o
     }
     if (of_meshes)
         of_meshes->count++;
+    timing_work_free(&work);
     return is_right;
 }
 
@@ -352,7 +248,7 @@ static void tell_means(asked *q, const means *m)
     printout_table(&q->out, "geometric means over %zu meshes, times exact, by cells", m->count);
     for (size_t c = CONSERVATIVE; c < TIMED; c++) {
         double all = 0;
-        ADD(&q->out, TEXT("contestant", names[c]));
+        ADD(&q->out, TEXT("contestant", entries[c].name));
         for (size_t r = 0; r < q->cell_counts; r++) {
             snprintf(cells[r], sizeof cells[r], "%u", q->cells[r]);
             ADD(&q->out, NUMBER(cells[r], 3, exp(m->logarithm[r][c] / (double)m->count)));
@@ -368,13 +264,16 @@ static bool answer(asked *q)
     bool is_right = true;
     asked_cells(q, asked_has(q, OPTION_QUICK) ? (const uint32_t[]){128, 128} : (const uint32_t[]){256, 1024},
                 asked_has(q, OPTION_QUICK) ? 1 : 2);
-    const size_t scenes = asked_has(q, OPTION_NO_SCENES) ? 0 : VOXEL_SCENES;
+    const size_t scenes = asked_has(q, OPTION_NO_SCENES) ? 0 : MADE_SCENES;
     for (size_t k = 0; is_right && k < scenes + q->meshes.count; k++) {
-        const char *const path = k < scenes ? NULL : q->meshes.path[k - scenes];
-        timing_work at;
-        is_right = path ? voxel_scene_read(path, &at) : voxel_scene_make(k, q->seed, &at);
-        is_right = is_right && ask_about(q, path ? mesh_list_name(path) : voxel_scene_names[k], at.jobs, path ? &m : NULL);
-        timing_work_free(&at);
+        const bool is_made = k < scenes;
+        index_scene at;
+        if (is_made)
+            index_scene_make((made_scene)k, q->seed, &at);
+        else if (!index_scene_read(q->meshes.path[k - scenes], &at))
+            return false;
+        is_right = ask_about(q, &at, is_made ? NULL : &m);
+        index_scene_free(&at);
     }
     if (is_right)
         tell_means(q, &m);

@@ -45,7 +45,7 @@ void soup_triangle(const tribox_soup *soup, size_t i, float u[3][3])
 }
 
 static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
-enum { USUAL = sizeof usual / sizeof usual[0], WITH_GOALS = 3 };
+enum { USUAL = sizeof usual / sizeof usual[0], WITH_GOALS = 3, TORUS_LONG = 500, TORUS_AROUND = 200 };
 
 static size_t index_scene_usual(const char *const **names)
 {
@@ -88,7 +88,7 @@ static bool is_finite(const float u[3][3])
     return sum == 0;
 }
 
-static bool index_scene_read(const char *name, index_scene *made)
+bool index_scene_read(const char *name, index_scene *made)
 {
     mesh m;
     if (!mesh_list_read(name, &m))
@@ -144,6 +144,69 @@ static void index_scene_terrain(size_t triangles, uint64_t seed, index_scene *ma
     find_bounds(made);
 }
 
+/* Around a ring, two triangles a patch. */
+static void torus_vertex(float u[3], int along, int around)
+{
+    const double turn = 6.283185307179586, s = turn * along / TORUS_LONG, t = turn * around / TORUS_AROUND, r = 1 + 0.4 * cos(t);
+    u[0] = (float)(r * cos(s));
+    u[1] = (float)(r * sin(s));
+    u[2] = (float)(0.4 * sin(t));
+}
+
+static void draw_reach(generator *g, float reach, float u[3][3])
+{
+    for (int a = 0; a < 3; a++) {
+        const float lo = random_between(g, 0, 1 - reach);
+        for (int v = 0; v < 3; v++)
+            u[v][a] = random_between(g, lo, lo + reach);
+    }
+}
+
+void index_scene_make(made_scene which, uint64_t seed, index_scene *made)
+{
+    const size_t count = which == SCENE_HUGE ? 12 : 2 * TORUS_LONG * TORUS_AROUND;
+    generator g = {seed};
+    snprintf(made->name, sizeof made->name, "%s", (const char *[]){"torus", "small", "huge"}[which]);
+    soup_room_make(count, &made->room);
+    for (size_t i = 0; i < count; i++) {
+        const int along = (int)(i / 2 / TORUS_AROUND), around = (int)(i / 2 % TORUS_AROUND), half = (int)(i % 2);
+        float u[3][3];
+        if (which == SCENE_TORUS) {
+            torus_vertex(u[0], along, around + half);
+            torus_vertex(u[1], along + 1, around);
+            torus_vertex(u[2], along + half, around + 1);
+        } else
+            draw_reach(&g, which == SCENE_SMALL ? 0.01f : 1, u);
+        soup_room_put(&made->room, i, (const float(*)[3])u);
+    }
+    find_bounds(made);
+}
+
+bool index_scene_work(const index_scene *scene, timing_work *made)
+{
+    const tribox_soup *const soup = &scene->room.soup;
+    if (!timing_work_make(made, 1, timing_work_room(soup->count)))
+        return message_failure("out of memory for %zu triangles", soup->count) == EXIT_CODE_OK;
+    const timing_job job = timing_work_copy(made, soup, NULL, soup->count);
+    timing_work_add(made, &job, &scene->bounds);
+    return true;
+}
+
+tribox_grid index_scene_grid(const index_scene *scene, uint32_t along)
+{
+    const tribox_box *const box = &scene->bounds;
+    const double cell = (double)(float)(index_scene_extent(scene) / along * 1.0001); /* what lies on the far side lies inside */
+    tribox_grid grid;
+    for (int a = 0; a < 3; a++) {
+        grid.origin[a] = box->lo[a];
+        grid.cell[a] = cell;
+        grid.size[a] = (uint32_t)fmax(1, ceil((box->hi[a] - box->lo[a]) / cell));
+    }
+    return grid;
+}
+
+void index_scene_free(index_scene *scene) { free(scene->room.storage); }
+
 bool index_scenes_ask(asked *q, size_t terrain, index_scene_answer *ask)
 {
     const char *const *names;
@@ -158,7 +221,7 @@ bool index_scenes_ask(asked *q, size_t terrain, index_scene_answer *ask)
         else if (!index_scene_read(q->meshes.path[k], &at))
             return false;
         is_right = ask(q, &at, k);
-        free(at.room.storage);
+        index_scene_free(&at);
     }
     return is_right;
 }

@@ -22,6 +22,20 @@ typedef struct index_scene {
     tribox_box bounds;
 } index_scene;
 
+/* A mesh of a file. False, with a message, if it cannot be read; index_scene_free follows success. */
+bool index_scene_read(const char *name, index_scene *made);
+
+/* A torus of 200,000 triangles; as many anywhere, a hundredth of the whole long; twelve across the whole. */
+typedef enum made_scene { SCENE_TORUS, SCENE_SMALL, SCENE_HUGE, MADE_SCENES } made_scene;
+void index_scene_make(made_scene which, uint64_t seed, index_scene *made);
+void index_scene_free(index_scene *scene);
+
+/* Its triangles as one job against its bounds. False, with a message, if memory fails. */
+bool index_scene_work(const index_scene *scene, timing_work *made);
+
+/* The grid of so many cubes along the longest side. */
+tribox_grid index_scene_grid(const index_scene *scene, uint32_t along);
+
 typedef bool index_scene_answer(asked *q, const index_scene *at, size_t number);
 
 /*
