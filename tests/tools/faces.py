@@ -9,7 +9,6 @@ import struct
 import triangles as meshes
 
 NAN = math.nan
-SIZES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}
 
 
 class Scene:
@@ -82,8 +81,8 @@ class Content:
 def ply_value(pick, kind):
     if kind in ("float", "double"):
         return pick.choice((0.0, -1.5, 1e-30, NAN, 0.1 if kind == "double" else 0.5))
-    bits = 8 * struct.calcsize(SIZES[kind])
-    return pick.randrange(1 << bits) - (1 << (bits - 1) if SIZES[kind].islower() else 0)
+    bits = 8 * struct.calcsize(meshes.LETTERS[kind])
+    return pick.randrange(1 << bits) - (1 << (bits - 1) if meshes.LETTERS[kind].islower() else 0)
 
 
 def ply_records(pick, scene, element, properties, count):
@@ -101,38 +100,14 @@ def ply_records(pick, scene, element, properties, count):
         yield record
 
 
-def ply_text_of(value):
-    return "nan" if value != value else repr(value)
-
-
-def ply_pack(record, properties, form):
-    if form == "ascii":
-        words = []
-        for value in record:
-            words += [str(len(value)), *map(ply_text_of, value)] if isinstance(value, list) else [ply_text_of(value)]
-        return words
-    order, packed = "<" if "little" in form else ">", b""
-    for value, (_, *types) in zip(record, properties):
-        if isinstance(value, list):
-            packed += struct.pack(order + SIZES[types[0]], len(value))
-            packed += struct.pack("%s%d%s" % (order, len(value), SIZES[types[1]]), *value)
-        else:
-            packed += struct.pack(order + SIZES[types[0]], value)
-    return packed
-
-
 def ply(scene, schema, form, line_end="\n"):
-    pick = random.Random(7)
-    head, body = ["ply", "format %s 1.0" % form, "comment element vertex 3", "obj_info made by a test"], b""
+    pick, elements = random.Random(7), []
     for element, count, properties in schema:
         count = {"vertex": len(scene.positions), "face": len(scene.faces)}.get(element, count)
-        head += ["element %s %d" % (element, count), "comment after it"]
-        head += ["property " + ("list %s %s " % tuple(types) if len(types) == 2 else types[0] + " ") + name
-                 for name, *types in properties]
-        for record in ply_records(pick, scene, element, properties, count):
-            packed = ply_pack(record, properties, form)
-            body += " ".join(packed).encode() + line_end.encode() if form == "ascii" else packed
-    return (line_end.join(head + ["end_header"]) + line_end).encode() + body
+        elements.append((element, properties, list(ply_records(pick, scene, element, properties, count))))
+    data = meshes.ply(elements, form, line_end, ("comment element vertex 3", "obj_info made by a test"))
+    head, end, body = data.partition(b"end_header")
+    return re.sub(rb"(?<=[\r\n])(element [^\r\n]*)([\r\n]+)", rb"\1\2comment after it\2", head) + end + body
 
 
 class Cursor:
@@ -148,10 +123,10 @@ class Cursor:
             self.at += 1
             word = self.body[self.at - 1]
             return word, (float(word) if kind in ("float", "double") else int(word))
-        size = struct.calcsize(SIZES[kind])
+        size = struct.calcsize(meshes.LETTERS[kind])
         self.at += size
         raw = self.body[self.at - size:self.at]
-        return raw, struct.unpack(self.order + SIZES[kind], raw)[0]
+        return raw, struct.unpack(self.order + meshes.LETTERS[kind], raw)[0]
 
     def take_property(self, types):
         if len(types) == 1:
@@ -201,7 +176,7 @@ def obj(scene, line_end="\n", is_negative=False, is_mixed=False, forms=OBJ_FORMS
     pick, lines = random.Random(9), ["# made by a test", "mtllib some file.mtl", ""]
     counts = [len(scene.positions), 40, 30]
     written = [0, 0, 0]
-    vertices = [("v", ["v %s%s" % (" ".join(map(ply_text_of, p)), pick.choice(("", " 0.5 0.25 1", " 1.0", "   # a comment")))
+    vertices = [("v", ["v %s%s" % (" ".join(map(repr, p)), pick.choice(("", " 0.5 0.25 1", " 1.0", "   # a comment")))
                        for p in scene.positions]),
                 ("vt", ["vt 0.%d 0.5" % k for k in range(counts[1])]), ("vn", ["vn 0 0 %d" % k for k in range(counts[2])])]
     faces = []
@@ -293,7 +268,7 @@ def off(scene, line_end="\n", head="COFF", is_joined=False):
     counts = "%d %d 12" % (len(scene.positions), len(scene.faces))
     lines = ["%s%s" % (head, counts)] if is_joined else [head, "# made by a test", counts]
     for p in scene.positions:
-        lines.append(" ".join(map(ply_text_of, p)) + pick.choice((" 1 0 0 1", " 0.5 0.5 0.5 1   # coloured", "")))
+        lines.append(" ".join(map(repr, p)) + pick.choice((" 1 0 0 1", " 0.5 0.5 0.5 1   # coloured", "")))
         lines += pick.choice(([], [], ["  # a comment"], [""]))
     for face in scene.faces:
         lines.append("  " + " ".join(map(str, [len(face), *face])) + pick.choice(("", " 255 0 0", "  0.1 0.2 0.3 # blue")))
@@ -325,7 +300,7 @@ def stl_text(scene, line_end="\n"):
         lines.append("solid part %d of 3" % part)
         for n in range(part * len(faces) // 3, (part + 1) * len(faces) // 3):
             lines += ["  facet normal %d 0 1" % n, "    outer loop"]
-            lines += ["      vertex " + " ".join(map(ply_text_of, scene.positions[c])) for c in faces[n]]
+            lines += ["      vertex " + " ".join(map(repr, scene.positions[c])) for c in faces[n]]
             lines += ["    endloop", "  endfacet"]
         lines.append("endsolid part %d of 3" % part)
     return (line_end.join(lines) + line_end).encode()

@@ -1,8 +1,14 @@
-"""The colours of cells: tribox voxelize --colours, from each way in which meshes have them into each file that holds them."""
+"""The colours of cells: tribox voxelize --colours, from each way in which meshes have them into each file that holds them.
+
+What is right is found from the triangles alone. A colour is (red, green, blue) in bytes; a reader of a file returns {cell: colour}
+or, of a mesh, triangles with a colour each.
+"""
 
 import base64
 import functools
+import itertools
 import json
+import math
 import os
 import random
 import shutil
@@ -11,7 +17,6 @@ import subprocess
 import sys
 import tempfile
 
-import coloured
 import harness
 import numpy as np
 import readers
@@ -21,6 +26,81 @@ SEED = harness.SEED
 HERE = os.path.dirname(os.path.abspath(__file__))
 GRID = ("--cell", "0.5,0.75,0.5", "--origin=-2,-2.25,-2", "--size", "8,6,9")
 ABOUT = {"origin": [-2, -2.25, -2], "cell": [0.5, 0.75, 0.5], "size": [8, 6, 9]}
+
+GREY = (204, 204, 204)
+
+
+def lowest_in(triangles, grid):
+    """The lowest number of a triangle that overlaps each cell (i, j, k)."""
+    cells = meshes.lowest(triangles, grid)
+    return {(int(i), int(j), int(k)): int(cells[k, j, i]) for k, j, i in np.argwhere(cells >= 0)}
+
+
+def mean(colours):
+    """The nearest; a half goes up."""
+    return tuple((2 * sum(c[a] for c in colours) + len(colours)) // (2 * len(colours)) for a in range(3))
+
+
+# PLY: of each type what a byte becomes.
+TYPES = {"uchar": int, "ushort": lambda byte: 257 * byte, "float": lambda byte: byte / 255, "double": lambda byte: byte / 255, "int": int}
+
+
+def ply(vertices, polygons, vertex_colours=None, face_colours=None, kind="uchar", form="ascii", names=("red", "green", "blue"),
+        faces_first=False):
+    """The other properties around the colours are there to be passed over."""
+    def of(colours, n):
+        return [TYPES[kind](byte) for byte in colours[n]] if colours else []
+
+    colour = [(name, kind) for name in names]
+    elements = [("vertex", [("confidence", "float"), *meshes.XYZ, *(colour if vertex_colours else [])],
+                 [[7, *vertex, *of(vertex_colours, n)] for n, vertex in enumerate(vertices)]),
+                ("face", [*meshes.CORNERS, *(colour if face_colours else []), ("flags", "ushort")],
+                 [[list(polygon), *of(face_colours, n), 9] for n, polygon in enumerate(polygons)])]
+    return meshes.ply(elements[::-1] if faces_first else elements, form)
+
+
+def triangles_of(path):
+    """The corners of each, and its colour."""
+    vertices, triangles, colours = readers.mesh(path)
+    return [] if colours is None else list(zip(vertices[triangles].tolist(), map(tuple, colours.tolist())))
+
+
+def is_within(point, polygon):
+    """Whether a point of a plane is in a triangle, or on its edge."""
+    turns = []
+    for n in range(3):
+        (ax, ay), (bx, by) = polygon[n - 1], polygon[n]
+        turns.append((bx - ax) * (point[1] - ay) - (by - ay) * (point[0] - ax))
+    return all(t >= -1e-9 for t in turns) or all(t <= 1e-9 for t in turns)
+
+
+def faces_of(triangles, grid):
+    """The colours of each face of a cell, (cell, axis, is_up), by the triangles over its middle."""
+    found = {}
+    for corners, colour in triangles:
+        places = [[(v[a] - grid["origin"][a]) / grid["cell"][a] for a in range(3)] for v in corners]
+        u, v = ([b - a for a, b in zip(places[0], p)] for p in places[1:])
+        normal = [u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3] for a in range(3)]
+        axis = max(range(3), key=lambda a: abs(normal[a]))
+        others = [a for a in range(3) if a != axis]
+        flat, plane, is_up = [[p[a] for a in others] for p in places], round(places[0][axis]), normal[axis] > 0
+        spans = [range(math.floor(min(p[a] for p in places)), math.ceil(max(p[a] for p in places))) for a in others]
+        for i, j in itertools.product(*spans):
+            if is_within((i + 0.5, j + 0.5), flat):
+                cell = [0, 0, 0]
+                cell[axis], cell[others[0]], cell[others[1]] = plane - is_up, i, j
+                found.setdefault((tuple(cell), axis, is_up), set()).add(tuple(colour))
+    return found
+
+
+def faces_expected(cells):
+    """The same, from the colours of cells."""
+    found = {}
+    for cell, axis, step in itertools.product(cells, range(3), (-1, 1)):
+        beside = tuple(x + step * (a == axis) for a, x in enumerate(cell))
+        if beside not in cells:
+            found[cell, axis, step > 0] = {cells[cell]}
+    return found
 
 
 def pick_colours(count, seed):
@@ -32,7 +112,7 @@ def pick_colours(count, seed):
 @functools.lru_cache
 def scene():
     triangles = meshes.lattice_triangles(14, seed=SEED)
-    return triangles, coloured.lowest(triangles, ABOUT)
+    return triangles, lowest_in(triangles, ABOUT)
 
 
 class Colours(harness.TestCase):
@@ -42,9 +122,6 @@ class Colours(harness.TestCase):
         cls.vertices = [v for triangle in cls.triangles for v in triangle]
         cls.corners = [(3 * n, 3 * n + 1, 3 * n + 2) for n in range(len(cls.triangles))]
         cls.colours = pick_colours(len(cls.triangles), SEED)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
     def voxelize(self, mesh, name, *options):
         out = self.path(name)
@@ -65,27 +142,27 @@ class Colours(harness.TestCase):
 class Meshes(Colours):
     def test_ply_faces(self):
         for form in ("ascii", "binary_little_endian", "binary_big_endian"):
-            for kind in coloured.TYPES:
-                content = coloured.ply(self.vertices, self.corners, face_colours=self.colours, kind=kind, form=form)
+            for kind in TYPES:
+                content = ply(self.vertices, self.corners, face_colours=self.colours, kind=kind, form=form)
                 self.check("%s.%s.ply" % (form, kind), content, self.colours, "faces")
 
     def test_ply_vertices(self):
         own = pick_colours(len(self.vertices), SEED + 1)
-        means = [coloured.mean([own[n] for n in corners]) for corners in self.corners]
+        means = [mean([own[n] for n in corners]) for corners in self.corners]
         for form in ("ascii", "binary_little_endian"):
             for first in (False, True):
-                content = coloured.ply(self.vertices, self.corners, own, form=form, faces_first=first)
+                content = ply(self.vertices, self.corners, own, form=form, faces_first=first)
                 self.check("vertices.ply", content, means, "vertices")
-        content = coloured.ply(self.vertices, self.corners, own, names=("diffuse_red", "diffuse_green", "diffuse_blue"))
+        content = ply(self.vertices, self.corners, own, names=("diffuse_red", "diffuse_green", "diffuse_blue"))
         self.check("diffuse.ply", content, means, "vertices")
-        content = coloured.ply(self.vertices, self.corners, own, self.colours, form="binary_little_endian")
+        content = ply(self.vertices, self.corners, own, self.colours, form="binary_little_endian")
         self.check("both.ply", content, self.colours, "faces")
 
     def test_ply_numbers_out_of_range(self):
         """Of floats: what is beyond 0 and 1 is the end, NaN is 0; a half of a byte goes up."""
         rows = [("nan", "-1", "inf"), ("2", "-0", "1e-9"), ("0.5", "0.0019", "0.00197"), ("-inf", "1", "0.999")]
         expected = [(0, 0, 255), (255, 0, 0), (128, 0, 1), (0, 255, 255)]
-        content = coloured.ply(self.vertices, self.corners, face_colours=[(0, 0, 0)] * len(self.corners), kind="float").decode()
+        content = ply(self.vertices, self.corners, face_colours=[(0, 0, 0)] * len(self.corners), kind="float").decode()
         head, body = content.split("end_header\n")
         lines = body.splitlines()
         for n in range(len(self.corners)):
@@ -119,7 +196,7 @@ class Meshes(Colours):
 
     def check_gltf(self, name, content, order, colours, whose):
         """Its triangles come primitive by primitive."""
-        lowest = coloured.lowest([self.triangles[n] for n in order], ABOUT)
+        lowest = lowest_in([self.triangles[n] for n in order], ABOUT)
         out, found = self.voxelize(self.write(name, content), "cells.vox")
         self.assertEqual(readers.palette_of(out), {cell: colours[order[number]] for cell, number in lowest.items()}, name)
         self.assertEqual(found["colours"], whose, name)
@@ -130,8 +207,7 @@ class Meshes(Colours):
 
     def test_gltf(self):
         """Light becomes bytes; materials and colours of vertices are multiplied; textures are said to be left out."""
-        if harness.lacks("libassimp"):
-            self.skipTest("built without libassimp")
+        self.need("libassimp")
         three = pick_colours(3, SEED + 2)
         content, order = self.gltf(list(map(self.base, three)))
         count = len(self.triangles)
@@ -145,15 +221,14 @@ class Meshes(Colours):
         mesh, out = self.write("texture.gltf", content), self.path("x.vox")
         self.succeed("voxelize", mesh, *GRID, "--colours", "-q", "-o", out,
                      note="%d of %d triangles have a texture, which is not read: they are grey" % (count // 2, count))
-        self.assertTrue(set(readers.palette_of(out).values()) <= {three[0], coloured.GREY})
+        self.assertTrue(set(readers.palette_of(out).values()) <= {three[0], GREY})
         content, _ = self.gltf([self.base((255, 255, 255), baseColorTexture={"index": 0})])
         self.fail_with(1, "has no colours: .*not of textures", "voxelize", self.write("only.gltf", content), *GRID, "--colours", "-o", out)
 
     def test_own_glb(self):
         """What is written is read again: the cells of a mesh of cells have their colours."""
-        if harness.lacks("libassimp"):
-            self.skipTest("built without libassimp")
-        mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        self.need("libassimp")
+        mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
         glb, _ = self.voxelize(mesh, "cells.glb")
         again, found = self.voxelize(glb, "again.vox")
         self.assertEqual(found["colours"], "vertices")
@@ -164,24 +239,23 @@ class Meshes(Colours):
         square = [(-1.9, y, z) for y, z in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         vertices, polygons = square + self.vertices, [(0, 1, 2, 3), (0, 1), (2,), *(tuple(n + 4 for n in c) for c in self.corners)]
         triangles = [tuple(square[:3]), (square[0], square[2], square[3]), *self.triangles]
-        lowest = coloured.lowest([tuple(tuple(map(float, map(np.float32, v))) for v in t) for t in triangles], ABOUT)
+        lowest = lowest_in([tuple(tuple(map(float, map(np.float32, v))) for v in t) for t in triangles], ABOUT)
         own = pick_colours(len(vertices), SEED + 2)
-        means = [coloured.mean([own[n] for n in polygon]) for polygon in polygons if len(polygon) > 2]
-        out, _ = self.voxelize(self.write("polygons.ply", coloured.ply(vertices, polygons, own)), "cells.vox")
+        means = [mean([own[n] for n in polygon]) for polygon in polygons if len(polygon) > 2]
+        out, _ = self.voxelize(self.write("polygons.ply", ply(vertices, polygons, own)), "cells.vox")
         self.assertEqual(readers.palette_of(out), {cell: means[max(number - 1, 0)] for cell, number in lowest.items()})
 
     def test_strips(self):
         own = pick_colours(4, SEED)
         square = [(-1.75, -1, -1), (-1.75, 1, -1), (-1.75, -1, 1), (-1.75, 1, 1)]
-        lines = "".join("%g %g %g %d %d %d\n" % (*v, *c) for v, c in zip(square, own))
-        content = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
-                   "property uchar green\nproperty uchar blue\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-                   + lines + "8 0 1 2 3 -1 3 2 1\n")
+        colour = [(name, "uchar") for name in ("red", "green", "blue")]
+        content = meshes.ply([("vertex", [*meshes.XYZ, *colour], [[*v, *c] for v, c in zip(square, own)]),
+                              ("tristrips", [("vertex_indices", "int", "int")], [[[0, 1, 2, 3, -1, 3, 2, 1]]])], "ascii")
         triangles = [(0, 1, 2), (1, 2, 3), (3, 2, 1)]
         out, _ = self.voxelize(self.write("strips.ply", content), "cells.vox")
-        lowest = coloured.lowest([tuple(square[n] for n in t) for t in triangles], ABOUT)
+        lowest = lowest_in([tuple(square[n] for n in t) for t in triangles], ABOUT)
         self.assertEqual(readers.palette_of(out),
-                         {cell: coloured.mean([own[n] for n in triangles[t]]) for cell, t in lowest.items()})
+                         {cell: mean([own[n] for n in triangles[t]]) for cell, t in lowest.items()})
 
     def test_off(self):
         def off(word, vertex, face):
@@ -190,7 +264,7 @@ class Meshes(Colours):
             return "%s\n# a comment\n%d %d 0\n" % (word, len(self.vertices), len(self.corners)) + "\n".join(lines) + "\n"
 
         own = pick_colours(len(self.vertices), SEED + 3)
-        means = [coloured.mean([own[n] for n in corners]) for corners in self.corners]
+        means = [mean([own[n] for n in corners]) for corners in self.corners]
         whole, share = " %d %d %d 255", " %.6f %.6f %.6f"
         self.check("whole.off", off("OFF", lambda n: "", lambda n: whole % self.colours[n]), self.colours, "faces")
         self.check("share.off", off("OFF", lambda n: "", lambda n: share % tuple(c / 255 for c in self.colours[n])), self.colours,
@@ -198,7 +272,7 @@ class Meshes(Colours):
         self.check("vertices.off", off("COFF", lambda n: whole % own[n], lambda n: ""), means, "vertices")
         some = [colour if n % 2 else (204, 204, 204) for n, colour in enumerate(own)]
         self.check("some.off", off("COFF", lambda n: whole % own[n] if n % 2 else "", lambda n: ""),
-                   [coloured.mean([some[n] for n in corners]) for corners in self.corners], "vertices")
+                   [mean([some[n] for n in corners]) for corners in self.corners], "vertices")
         self.check("normals.off", off("CNOFF", lambda n: " 0 0 1" + share % tuple(c / 255 for c in own[n]), lambda n: ""), means,
                    "vertices")
         self.fail_with(1, "has no colours: ", "voxelize", self.write("none.off", off("OFF", lambda n: "", lambda n: "")), *GRID,
@@ -222,7 +296,7 @@ class Materials(Colours):
         return library + "vt 0 0\n" + "\n".join(lines) + "\n"
 
     def expected(self, names):
-        return [self.NAMES.get(names[n // 2 % len(names)], coloured.GREY) for n in range(len(self.corners))]
+        return [self.NAMES.get(names[n // 2 % len(names)], GREY) for n in range(len(self.corners))]
 
     def test_materials(self):
         self.write("scene.mtl", self.LIBRARY)
@@ -239,7 +313,7 @@ class Materials(Colours):
         """Colours of vertices go before materials, where all corners have one."""
         self.write("scene.mtl", self.LIBRARY)
         own = pick_colours(len(self.vertices), SEED + 4)
-        means = [coloured.mean([own[n] for n in corners]) for corners in self.corners]
+        means = [mean([own[n] for n in corners]) for corners in self.corners]
         self.check("vertices.obj", self.obj(vertices=lambda n: " %.6f %.6f %.6f" % tuple(c / 255 for c in own[n])), means,
                    "vertices")
         some = lambda n: " %.6f %.6f %.6f" % tuple(c / 255 for c in own[n]) if n % 9 else ""
@@ -290,21 +364,21 @@ class Example(harness.TestCase):
 class Files(Colours):
     def setUp(self):
         super().setUp()
-        self.mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        self.mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
         self.expected = self.cells(self.colours)
 
     def test_meshes(self):
         """Every face of a cell has the colour of its cell, and there are no others."""
         for ending in readers.MESHES:
             out, _ = self.voxelize(self.mesh, "cells" + ending)
-            self.assertEqual(coloured.faces_of(coloured.triangles_of(out), ABOUT), coloured.faces_expected(self.expected), ending)
+            self.assertEqual(faces_of(triangles_of(out), ABOUT), faces_expected(self.expected), ending)
 
     def test_merged(self):
         """Where all have one colour, there are as many triangles as without colours; else there is no more than a square for a face."""
         counts = []
         for colours in ([(9, 8, 7)] * len(self.corners), self.colours):
-            mesh = self.write("one.ply", coloured.ply(self.vertices, self.corners, face_colours=colours))
-            counts.append(len(list(coloured.triangles_of(self.voxelize(mesh, "one_cells.ply")[0]))))
+            mesh = self.write("one.ply", ply(self.vertices, self.corners, face_colours=colours))
+            counts.append(len(list(triangles_of(self.voxelize(mesh, "one_cells.ply")[0]))))
         self.succeed("voxelize", self.mesh, *GRID, "-q", "-o", self.path("plain.ply"))
         head = harness.read(self.path("plain.ply")).split(b"end_header")[0].decode()
         self.assertIn("element face %d\n" % counts[0], head)
@@ -327,7 +401,7 @@ class Files(Colours):
     def test_vtk(self):
         """What ParaView has: a colour for each face."""
         (found,) = self.foreign("vtk_colours", self.voxelize(self.mesh, "cells.ply")[0])
-        self.assertEqual(coloured.faces_of(found, ABOUT), coloured.faces_expected(self.expected))
+        self.assertEqual(faces_of(found, ABOUT), faces_expected(self.expected))
 
     def three(self):
         """The folder of three.js: one that is given, or what npm installs of the version that the page has."""
@@ -352,10 +426,10 @@ class Files(Colours):
         paths = [self.voxelize(self.mesh, "cells" + ending)[0] for ending in readers.MESHES]
         done = subprocess.run(["node", os.path.join(HERE, "three.mjs"), self.three(), *paths], capture_output=True, timeout=100)
         self.assertEqual(done.returncode, 0, done.stderr)
-        expected = coloured.faces_expected(self.expected)
+        expected = faces_expected(self.expected)
         for path, found in zip(paths, json.loads(done.stdout)):
             triangles = zip(*(iter(zip(found["corners"], found["colours"])),) * 3)
-            faces = coloured.faces_of([([corner for corner, _ in t], t[0][1]) for t in triangles], ABOUT)
+            faces = faces_of([([corner for corner, _ in t], t[0][1]) for t in triangles], ABOUT)
             self.assertTrue(found["isShown"], path)
             self.assertEqual(set(faces), set(expected), path)
             for face, (light,) in faces.items():
@@ -365,7 +439,7 @@ class Files(Colours):
 
     def test_preview(self):
         """Cells of one colour, lit: pixels have its hue, those of the ground do not."""
-        mesh = self.write("blue.ply", coloured.ply(self.vertices, self.corners, face_colours=[(0, 0, 255)] * len(self.corners)))
+        mesh = self.write("blue.ply", ply(self.vertices, self.corners, face_colours=[(0, 0, 255)] * len(self.corners)))
         self.voxelize(mesh, "cells.vox", "--preview", self.path("blue.png"), "--picture-size", "160x120")
         pixels = readers.read_png(self.path("blue.png")).reshape(-1, 3).tolist()
         blue = sum(p[2] > 2 * p[0] + 30 and p[2] > 2 * p[1] + 30 for p in pixels)
@@ -379,7 +453,7 @@ class Palette(Colours):
         pick = random.Random(SEED)
         colours = [rgb_of(n) for n in pick.sample(range(1 << 24), count)]
         points = [(n % 200 + 0.5, n // 200 + 0.5, 0.5) for n in range(count)]
-        content = coloured.ply([p for p in points], [(n, n, n) for n in range(count)], face_colours=colours,
+        content = ply([p for p in points], [(n, n, n) for n in range(count)], face_colours=colours,
                                form="binary_little_endian")
         mesh, out = self.write("points.ply", content), self.path("points.vox")
         arguments = ("voxelize", mesh, "--cell", "1", "--origin", "0,0,0", "--size", "200,%d,1" % (count // 200 + 1), "--colours",
@@ -406,7 +480,7 @@ class Palette(Colours):
                 groups.setdefault(found, []).append(colour)
             self.assertGreaterEqual(len(groups), 250)
             for found, colours in groups.items():
-                self.assertEqual(found, coloured.mean(colours))
+                self.assertEqual(found, mean(colours))
             far = sum(sum((a - b) ** 2 for a, b in zip(found, colour)) for found, colour in pairs) / len(pairs)
             self.assertLess(far ** 0.5, 40, count)
 
@@ -421,7 +495,7 @@ class Ways(Colours):
         triangles = meshes.lattice_triangles(300, seed=SEED)
         vertices = [v for t in triangles for v in t]
         corners = [(3 * n, 3 * n + 1, 3 * n + 2) for n in range(len(triangles))]
-        content = coloured.ply(vertices, corners, face_colours=pick_colours(300, SEED))
+        content = ply(vertices, corners, face_colours=pick_colours(300, SEED))
         for name, text in (("floats", content),
                            ("doubles",
                             content.replace(b"0.125", b"0.12500000001").replace(b"property float x", b"property double x"))):
@@ -437,7 +511,7 @@ class Ways(Colours):
 
     def test_cells_are_the_same(self):
         """Colours change no cell, and what has none is written as before."""
-        mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
         _, found = self.voxelize(mesh, "cells.vox")
         plain = json.loads(self.succeed("voxelize", mesh, *GRID, "--json", "-o", self.path("cells.npy")))
         self.assertEqual(found["occupied"], plain["occupied"])
@@ -445,45 +519,33 @@ class Ways(Colours):
         self.assertEqual(readers.places_of(self.path("cells.npy")), set(self.lowest))
 
     def test_no_cell(self):
-        mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
         for ending in (".vox", ".npz", ".ply", ".obj", ".glb"):
             self.succeed("voxelize", mesh, "--cell", "1", "--origin", "50,50,50", "--size", "3,4,5", "--colours", "-q", "-o",
                          self.path("no" + ending))
         self.assertEqual(readers.palette_of(self.path("no.vox")), {})
 
     def test_shift(self):
-        mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
         self.succeed("voxelize", mesh, "--shift", "1,2,3", "--cell", "0.5,0.75,0.5", "--origin=-3,-4.25,-5", "--size", "8,6,9",
                      "--colours", "-q", "-o", self.path("cells.ply"))
-        self.assertEqual(coloured.faces_of(coloured.triangles_of(self.path("cells.ply")), ABOUT),
-                         coloured.faces_expected(self.cells(self.colours)))
+        self.assertEqual(faces_of(triangles_of(self.path("cells.ply")), ABOUT),
+                         faces_expected(self.cells(self.colours)))
 
 
 class Refusals(Colours):
     def setUp(self):
         super().setUp()
-        self.mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        self.mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
 
     def refuse(self, code, pattern, *options, mesh=None, out=("-o", "no.vox")):
-        grid = () if mesh and os.path.isdir(mesh) else GRID
-        self.fail_with(code, pattern, "voxelize", mesh or self.mesh, *grid, "--colours", *out, *options, cwd=self.folder)
-
-    def test_options(self):
-        self.refuse(2, "--fill", "--fill", "outside")
-        self.refuse(2, "--count only prints: leave out --colours", out=("--count",))
-        self.refuse(2, "--colours needs all cells at once: leave out --shard", "--shard", "1/2", out=("-o", "no.part.npz"))
-        for ending in ("npy", "vti", "nrrd", "binvox", "raw"):
-            self.refuse(2, r"--colours: \.%s holds none; write .npz, .vdb, .vox, .ply, .obj or .glb" % ending,
-                        out=("-o", "no." + ending))
-        self.succeed("partition", self.mesh, *GRID, "-q", "-o", self.path("tiles"))
-        self.refuse(2, "is a partition, which lacks the colours", mesh=self.path("tiles"))
-        self.assertEqual(sorted(os.listdir(self.folder)), ["mesh.ply", "tiles"])
+        self.fail_with(code, pattern, "voxelize", mesh or self.mesh, *GRID, "--colours", *out, *options, cwd=self.folder)
 
     def test_meshes_without(self):
         for name, write in meshes.FORMATS.items():
             mesh = self.write(name, write(self.triangles))
             self.refuse(1, "(has no colours|no colours of its format are read): .*; leave out --colours", mesh=mesh)
-        half = coloured.ply(self.vertices, self.corners, face_colours=self.colours, names=("red", "green", "alpha"))
+        half = ply(self.vertices, self.corners, face_colours=self.colours, names=("red", "green", "alpha"))
         self.refuse(1, "has no colours", mesh=self.write("half.ply", half))
         self.refuse(1, "no colours of its format are read", "--format", "f32",
                     mesh=self.write("raw.bin", meshes.pack_floats(self.triangles)))

@@ -1,7 +1,6 @@
 """tribox overlap -o and --rest: each face of the mesh in one of two files, with all that it had, told by a reader of its own."""
 
 import json
-import math
 import os
 import re
 import resource
@@ -17,8 +16,7 @@ SEED = harness.SEED
 BOX = (-0.5, 0.125, -0.75, 0.25, 0.75, 0.5)
 LARGE = (-1.5, -1.375, -1.625, 1.75, 1.5, 1.625)  # which all but a few overlap
 
-XYZ = [("x", "float"), ("y", "float"), ("z", "float")]
-CORNERS = [("vertex_indices", "uchar", "int")]
+XYZ, CORNERS = meshes.XYZ, meshes.CORNERS
 SCHEMAS = {
     "plain": [("vertex", None, XYZ), ("face", None, CORNERS)],
     "attributes": [
@@ -44,9 +42,6 @@ SCHEMAS = {
 
 
 class Crop(harness.TestCase):
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
     def run_crop(self, mesh, *options, pattern="", names=("-o", "--rest"), box=BOX, ending=None):
         """What is written, by the options' names, and the JSON."""
         ending = ending or os.path.splitext(mesh)[1]
@@ -55,10 +50,8 @@ class Crop(harness.TestCase):
                              *(word for pair in files.items() for word in pair))
         self.assertEqual(result.code, 0, result.stderr)
         self.assertRegex(result.stderr, r"\A%s\Z" % pattern)
-        written = {}
-        for name, path in files.items():
-            with open(path, "rb") as file:
-                written[name] = file.read()
+        written = {name: harness.read(path) for name, path in files.items()}
+        for path in files.values():
             os.unlink(path)
         return written, json.loads(result.stdout)
 
@@ -157,7 +150,7 @@ class Formats(Crop):
         scene.faces = [face for face in scene.faces if len(face) == 3]
         for line_end in ("\n", "\r\n"):
             self.check(scene, "mesh.stl", faces.stl_text(scene, line_end), faces.read_stl_text)
-        self.check(scene, "mesh.stl", faces.stl_binary(scene), read_stl)
+        self.check(scene, "mesh.stl", faces.stl_binary(scene), faces.read_stl_binary)
 
     def test_raw(self):
         scene = faces.Scene(SEED, polygons=0, least=None)
@@ -169,7 +162,7 @@ class Formats(Crop):
         """Records are read in blocks of 4096, and masks have words of 64."""
         scene = faces.Scene(SEED, triangles=9001, polygons=0, least=None)
         scene.faces = [face for face in scene.faces if len(face) == 3]
-        self.check(scene, "mesh.stl", faces.stl_binary(scene), read_stl, is_partial=False)
+        self.check(scene, "mesh.stl", faces.stl_binary(scene), faces.read_stl_binary, is_partial=False)
 
     def test_names_say_less_than_the_file(self):
         scene = faces.Scene(SEED)
@@ -229,11 +222,6 @@ def is_of_pairs(data):
     return 0 < data.count(b"\r\n") == data.count(b"\n")
 
 
-def read_stl(data):
-    """Counts are in front of the rest, and each file has its own."""
-    return faces.read_stl_binary(data)
-
-
 def without_edges(content):
     """The header's lines and the records of what refers to vertices."""
     other, element = [], ""
@@ -256,11 +244,7 @@ class Ways(Crop):
         due = meshes.overlapping(self.triangles, box)
         part = self.path("part.ply")
         self.succeed("overlap", self.mesh, "--oriented", ",".join(map(repr, box)), "-o", part)
-        with open(part, "rb") as file:
-            found = faces.read_ply(file.read())
-        self.assertEqual(len(found.faces), len(due))
-        with open(self.mesh, "rb") as file:
-            self.assert_same(found, faces.read_ply(file.read()).of(due), "oriented")
+        self.assert_same(faces.read_ply(harness.read(part)), faces.read_ply(harness.read(self.mesh)).of(due), "oriented")
 
     def test_shift(self):
         """The box is about the mesh that was moved; what is written has not moved."""
@@ -307,12 +291,9 @@ class Ways(Crop):
     def test_standard_output(self):
         written, _ = self.run_crop(self.mesh)
         box = ",".join(map(repr, BOX))
-        for option in ("-o", "--rest"):
-            done = subprocess.run([harness.program(), "overlap", self.mesh, "--box", box, option, "-"], capture_output=True)
-            self.assertEqual((done.returncode, done.stderr, done.stdout), (0, b"", written[option]))
-        done = subprocess.run([harness.program(), "overlap", self.mesh, "--box", box, "-o", "-", "--rest", self.path("r.ply")],
-                              capture_output=True)
-        self.assertEqual((done.stdout, done.stderr), (written["-o"], b""))
+        for option, *others in (("-o",), ("--rest",), ("-o", "--rest", self.path("r.ply"))):
+            done = harness.run("overlap", self.mesh, "--box", box, option, "-", *others)
+            self.assertEqual((done.code, done.stderr, done.octets), (0, "", written[option]))
 
     def test_links(self):
         os.mkdir(self.path("elsewhere"))
@@ -320,8 +301,7 @@ class Ways(Crop):
         self.write("elsewhere/part.ply", "old")
         self.succeed("overlap", self.mesh, "--box", harness.UNIT_BOX, "-o", self.path("link.ply"))
         self.assertTrue(os.path.islink(self.path("link.ply")))
-        with open(self.path("elsewhere/part.ply"), "rb") as file:
-            self.assertEqual(file.read(4), b"ply\n")
+        self.assertEqual(harness.read(self.path("elsewhere/part.ply"))[:4], b"ply\n")
 
 
 class Refusals(Crop):
@@ -342,11 +322,8 @@ class Refusals(Crop):
         self.refuse(1, "no.folder.*x.ply: cannot write there: No such file", *box, "-o", self.path("no/folder/x.ply"))
         self.refuse(1, "no.folder.*x.ply: cannot write there: No such file", *box, "-o", self.path("x.ply"), "--rest",
                     self.path("no/folder/x.ply"))
-        self.refuse(1, "folder.ply: is a directory", *box, "-o", self.make_folder("folder.ply"))
-
-    def make_folder(self, name):
-        os.mkdir(self.path(name))
-        return self.path(name)
+        os.mkdir(self.path("folder.ply"))
+        self.refuse(1, "folder.ply: is a directory", *box, "-o", self.path("folder.ply"))
 
     def test_meshes(self):
         box = ("--box", harness.UNIT_BOX, "-o", self.path("x.ply"))
@@ -375,18 +352,16 @@ class Refusals(Crop):
                     self.path("x.ply"), "--rest", self.path("y.ply"), limit=(resource.RLIMIT_FSIZE, 2000), mesh=mesh)
         if os.path.exists("/dev/full"):
             with open("/dev/full", "wb") as full:
-                done = subprocess.run([harness.program(), "overlap", self.mesh, "--box", harness.UNIT_BOX, "-o", "-"], stdout=full,
-                                      stderr=subprocess.PIPE)
-            self.assertEqual(done.returncode, 1)
-            self.assertIn(b"cannot write the output: No space left on device", done.stderr)
+                done = harness.run("overlap", self.mesh, "--box", harness.UNIT_BOX, "-o", "-", stdout=full)
+            self.assertEqual(done.code, 1)
+            self.assertIn("cannot write the output: No space left on device", done.stderr)
 
     def test_signals(self):
         """Told to end while it reads or writes it leaves nothing of its own."""
         mesh = self.write("long.obj", meshes.obj(meshes.lattice_triangles(3000, SEED)) * 20)
         for wait in (0.02, 0.1, 0.3):
-            process = subprocess.Popen([harness.program(), "overlap", mesh, "--box", harness.UNIT_BOX, "-o",
-                                        self.path("folder/x.obj"), "--rest", self.path("folder/y.obj")],
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            process = harness.start("overlap", mesh, "--box", harness.UNIT_BOX, "-o", self.path("folder/x.obj"), "--rest",
+                                    self.path("folder/y.obj"), stdout=subprocess.DEVNULL)
             time.sleep(wait)
             process.send_signal(signal.SIGTERM)
             said = process.communicate()[1].decode()
@@ -405,5 +380,4 @@ def strips():
 
 
 if __name__ == "__main__":
-    assert math.isnan(faces.NAN)
     harness.main()

@@ -19,7 +19,7 @@ class Output(harness.TestCase):
         super().setUp()
         self.mesh = self.write("mesh.obj", meshes.obj([((0, 0, 0), (1.5, 0, 0), (0, 1.5, 0))] * 3000))
         self.commands = [("--help",), ("--version",), ("info",), ("info", "--json"), ("info", "--help"), ("demo", "--help"),
-                         ("demo", "--quick"), ("overlap", "--help")]
+                         ("demo", "--quick"), ("sweep", self.mesh, "--quick"), ("overlap", "--help")]
         self.commands += [("overlap", self.mesh, "--box", harness.UNIT_BOX, *more) for more in ((), ("--list",), ("--json",))]
 
     def lose_output(self, redirection):
@@ -57,9 +57,9 @@ class Output(harness.TestCase):
             self.skipTest("no /dev/full here")
         boxes = self.write("boxes.txt", "0 0 0 1 1 1\n" * 3 + "wrong\n")
         with open("/dev/full", "wb") as full:
-            done = subprocess.run([harness.program(), "overlap", self.mesh, "--boxes", boxes], stdout=full, stderr=subprocess.PIPE)
-        self.assertEqual(done.returncode, 1)
-        self.assert_one_line(done.stderr.decode(), "cannot write the output: ")
+            done = harness.run("overlap", self.mesh, "--boxes", boxes, stdout=full)
+        self.assertEqual(done.code, 1)
+        self.assert_one_line(done.stderr, "cannot write the output: ")
 
 
 WAYS = {"itself": lambda path, _: path, "folder": lambda path, _: os.path.join(os.path.dirname(path), ".", os.path.basename(path)),
@@ -69,12 +69,8 @@ WAYS = {"itself": lambda path, _: path, "folder": lambda path, _: os.path.join(o
 class Pairs(harness.TestCase):
     """Files that get in each other's way."""
 
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
     def contents(self):
-        paths = [os.path.join(folder, name) for folder, _, names in os.walk(self.folder) for name in names]
-        return {path: harness.read(path) for path in paths}
+        return {path: harness.read(path) for path in self.there() if os.path.isfile(path)}
 
     def commands(self):
         """Each with what it reads and its options for files."""
@@ -106,9 +102,9 @@ class Pairs(harness.TestCase):
                 continue  # a partition does not lose its own name of the file
             link = self.path("link" + os.path.splitext(one)[1])
             with open(self.stdin, "rb") as stdin:
-                done = subprocess.run([harness.program(), *command, *options, give(one, link)], stdin=stdin, capture_output=True)
-            self.assertEqual(done.returncode, 2, (command, options, done.stderr))
-            self.assert_one_line(done.stderr.decode(), pattern)
+                done = harness.run(*command, *options, give(one, link), stdin=stdin)
+            self.assertEqual(done.code, 2, (command, options, done.stderr))
+            self.assert_one_line(done.stderr, pattern)
             if os.path.lexists(link):
                 os.remove(link)
             self.assertEqual(self.contents(), before)

@@ -1,12 +1,13 @@
 """The surface of cells as a mesh: tribox voxelize -o cells.ply, .obj and .glb, and tribox merge."""
 
+import collections
+import functools
 import itertools
 import json
 import os
 import random
 
 import triangles as meshes
-import shells
 import harness
 import readers
 
@@ -50,10 +51,89 @@ def random_scenes(count):
         yield tuple(size), {c for c in block(*size) if pick.random() < share}
 
 
-class Shells(harness.TestCase):
-    def path(self, name):
-        return os.path.join(self.folder, name)
+# What is to be true of the meshes of cells, found from the cells alone.
 
+def surface_in(path):
+    vertices, triangles, _ = readers.mesh(path)
+    return list(map(tuple, vertices.tolist())), list(map(tuple, triangles.tolist()))
+
+
+def faces(cells):
+    """How many faces look along each axis, 0 to 2, up or down."""
+    count = collections.Counter()
+    for cell in cells:
+        for axis, step in itertools.product(range(3), (-1, 1)):
+            if tuple(x + step * (a == axis) for a, x in enumerate(cell)) not in cells:
+                count[axis, step > 0] += 1
+    return count
+
+
+STEPS = tuple((1 << n, step) for n, step in enumerate(itertools.product((-1, 0, 1), repeat=3)))
+
+
+@functools.lru_cache(None)
+def groups(near):
+    """How many groups there are, which hang together by faces, of cells around a part of them: a bit of STEPS for each."""
+    left, count = {step for bit, step in STEPS if near & bit}, 0
+    while left:
+        count, reached = count + 1, [left.pop()]
+        for cell in reached:
+            beside = {other for other in left if sum(abs(a - b) for a, b in zip(cell, other)) == 2}
+            left -= beside
+            reached.extend(beside)
+    return count
+
+
+def euler(cells):
+    """Of the surface: twice that of the body, of cells with their faces, edges and points; an edge or a point in which groups of
+    cells touch is each group's own."""
+    around = collections.defaultdict(int)  # each part of a cell, in halves of its side
+    for x, y, z in cells:
+        for bit, (i, j, k) in STEPS:
+            around[2 * x + i, 2 * y + j, 2 * z + k] |= bit
+    body = 0
+    for part, near in around.items():
+        sides = sum(x % 2 for x in part)  # 0 in the cell, 1 in a face, 2 in an edge, 3 in a point
+        body += (1 if sides < 2 else groups(near)) * (1 if sides % 2 else -1)
+    return 2 * body
+
+
+def umbrellas(triangles):
+    """Around how many vertices the triangles are not one ring."""
+    links = collections.defaultdict(dict)
+    for t in triangles:
+        for n in range(3):
+            links[t[n]][t[(n + 1) % 3]] = t[(n + 2) % 3]
+    broken = 0
+    for ring in links.values():
+        first = at = next(iter(ring))
+        steps = 0
+        while at in ring and (steps == 0 or at != first):
+            at, steps = ring[at], steps + 1
+        broken += at != first or steps != len(ring)
+    return broken
+
+
+def check_surface(vertices, triangles, cells):
+    """All of it for cells of side 1 from 0, 0, 0 on. Returns nothing; what is wrong is an AssertionError."""
+    edges = collections.Counter(edge for a, b, c in triangles for edge in ((a, b), (b, c), (c, a)))
+    assert all(count == 1 and edges[b, a] == 1 for (a, b), count in edges.items()), "edges without their opposite"
+    assert set(itertools.chain(*triangles)) == set(range(len(vertices))), "vertices of no triangle"
+    assert umbrellas(triangles) == 0, "vertices where sheets touch"
+    assert len(vertices) - len(edges) // 2 + len(triangles) == euler(cells), "Euler's count"
+    volume, area = 0, collections.Counter()
+    for triangle in triangles:
+        p, q, r = (vertices[n] for n in triangle)
+        u, v = [b - a for a, b in zip(p, q)], [b - a for a, b in zip(p, r)]
+        normal = [u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3] for a in range(3)]
+        (axis,) = (a for a in range(3) if normal[a])
+        area[axis, normal[axis] > 0] += abs(normal[axis]) / 2
+        volume += p[axis] * normal[axis] / 2 if axis == 0 else 0
+    assert area == faces(cells), "areas"
+    assert volume == len(cells), "volume"
+
+
+class Shells(harness.TestCase):
     def points(self, cells):
         """A mesh with a point in the middle of each cell, and one outside, as there is no mesh of none."""
         middles = [tuple(x + 0.5 for x in cell) for cell in sorted(cells)] + [(-9, -9, -9)]
@@ -63,14 +143,14 @@ class Shells(harness.TestCase):
         out = self.path("cells" + ending)
         self.succeed("voxelize", self.points(cells), "--cell", "1", "--origin", "0,0,0", "--size", "%d,%d,%d" % size, "-q", "-o",
                      out, *options)
-        return shells.read(out)
+        return surface_in(out)
 
 
 class Surface(Shells):
     def check(self, size, cells, what):
         vertices, triangles = self.shell(size, cells, ".ply")
         try:
-            shells.check(vertices, triangles, cells)
+            check_surface(vertices, triangles, cells)
         except AssertionError as wrong:
             self.fail("%s, %s: %s" % (what, size, wrong))
         for ending in (".obj", ".glb"):
@@ -115,7 +195,7 @@ class Places(Shells):
             found = {}
             for ending in readers.MESHES:
                 about = json.loads(self.succeed("voxelize", mesh, *options, "--json", "-o", self.path("x" + ending)))
-                found[ending] = shells.read(self.path("x" + ending))
+                found[ending] = surface_in(self.path("x" + ending))
             grid, shift = about["grid"], about.get("shift", [0, 0, 0])
             self.assertEqual(found[".ply"], found[".obj"])
             self.assertEqual(found[".ply"][1], found[".glb"][1])
@@ -148,32 +228,15 @@ class Ways(Shells):
         super().setUp()
         self.mesh = self.write("mesh.ply", meshes.ply_of(meshes.lattice_triangles(24, seed=9)))
 
-    GRID = ("--cell", "0.015625,0.03125,0.0625", "--origin=-2,-2,-2", "--size", "257,130,63")
-
-    def test_threads_and_parts(self):
-        """The same bytes by any number of threads, and of parts."""
-        for word in ("ply", "obj", "glb"):
-            for threads in ("1", "4"):
-                self.succeed("voxelize", self.mesh, *self.GRID, "-q", "-t", threads, "-o", self.path(threads + "." + word))
-            parts = [self.path("%d.part.npz" % n) for n in (1, 2, 3)]
-            for n, part in enumerate(parts):
-                self.succeed("voxelize", self.mesh, *self.GRID, "-q", "--shard", "%d/3" % (n + 1), "-o", part)
-            self.succeed("merge", *parts, "-q", "-o", self.path("merged." + word))
-            contents = {harness.read(self.path(name + "." + word)) for name in ("1", "4", "merged")}
-            self.assertEqual(len(contents), 1, word)
-
     def test_filled(self):
         """A box with its inside has no second surface."""
-        box = [(x, y, z) for x in (1.5, 5.5) for y in (1.5, 5.5) for z in (1.5, 5.5)]
-        corners = ((0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4),
-                   (1, 5, 7), (1, 7, 3))
-        mesh = self.write("box.ply", meshes.ply_of([tuple(box[n] for n in c) for c in corners]))
+        mesh = self.write("box.ply", meshes.ply_of(meshes.cube((1.5,) * 3, (5.5,) * 3)))
         grid = ("--cell", "1", "--origin", "0,0,0", "--size", "8,8,8", "-q")
         solid = {c for c in block(8, 8, 8) if min(c) >= 1 and max(c) <= 5}
         hollow = {c for c in solid if min(c) == 1 or max(c) == 5}
         for options, cells in (((), hollow), (("--fill", "outside"), solid), (("--fill", "parity"), solid)):
             self.succeed("voxelize", mesh, *grid, "-o", self.path("box_cells.ply"), *options)
-            shells.check(*shells.read(self.path("box_cells.ply")), cells)
+            check_surface(*surface_in(self.path("box_cells.ply")), cells)
 
     def test_refused_before_the_work(self):
         for ending, size, reason in ((".glb", "8388609,1,1", r"\.glb holds at most 8388608 cells on each axis, .*; write .ply or .obj"),
@@ -191,7 +254,7 @@ class Ways(Shells):
             self.shell(size, cells, ending)
             paths.append(self.path("cells" + ending))
         found = self.foreign("vtk_mesh", *paths)
-        vertices, triangles = shells.read(paths[0])
+        vertices, triangles = surface_in(paths[0])
         for path, of_one in zip(paths, found):
             self.assertEqual((of_one["triangles"], of_one["vertices"], of_one["edges"]), (len(triangles), len(vertices), 0), path)
             self.assertAlmostEqual(of_one["volume"], len(cells), places=5)
