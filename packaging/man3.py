@@ -63,10 +63,6 @@ PART = re.compile(r"""^/\*\ =+\ \*/\n/\*\ +(?P<title>.*?)\ +\*/\n/\*\ =+\ \*/$
                   re.M | re.S | re.X)
 
 
-def title_of(header):
-    return re.match(r"/\*\n \* tribox\.h - (.*)", header)[1]
-
-
 def banner_of(header):
     """The comment at the top: what comes before its table, the title of the table, and its rows, a name and a text each."""
     banner = header[:header.index("*/")]
@@ -98,41 +94,15 @@ def is_function(code):
     return code.startswith("TRIBOX_API")
 
 
-def is_type(code):
-    return code.startswith(("typedef", "enum"))
-
-
-def function_of(code):
-    return re.search(r"(\w+)\(", code)[1]
-
-
 def declared_by(code):
     """The names that a declaration gives to a page: of a function, of a type, of macros; none for an enum without a name."""
     if is_function(code):
-        return [function_of(code)]
+        return [re.search(r"(\w+)\(", code)[1]]
     if code.startswith("#define"):
         return re.findall(r"#define (\w+)", code)
     if code.startswith("typedef"):
         return [re.search(r"(\w+)(?:\([^)]*\))?;$", code)[1]]
     return []
-
-
-def prototype(code):
-    """(what a function returns, its name, its arguments)"""
-    result, name, arguments = re.match(r"TRIBOX_API (.*?)(\w+)\((.*)\);", " ".join(code.split())).groups()
-    return result.strip(), name, arguments.split(", ")
-
-
-def members(code):
-    """(whether it is a variable, name, text) of the members of a struct, or the constants of an enum, that have a comment."""
-    for line in code.split("\n"):
-        member = re.match(r"    ([^;]*?)(\w+)([\[\]\d]*)(?: = \d+)?[;,]? +/\* (.*) \*/$", line)
-        if member:
-            yield bool(member[1]), member[2], member[4]
-
-
-def without_comments(code):
-    return re.sub(r" */\*.*?\*/", "", code)
 
 
 def escaped(text):
@@ -179,12 +149,14 @@ def joined(blocks):
 
 
 def synopsis(code):
-    result, name, arguments = prototype(code)
-    return "\n".join([f".Ft {result}", f".Fo {name}", *(f'.Fa "{each}"' for each in arguments), ".Fc"])
+    result, name, arguments = re.match(r"TRIBOX_API (.*?)(\w+)\((.*)\);", " ".join(code.split())).groups()
+    return "\n".join([f".Ft {result.strip()}", f".Fo {name}", *(f'.Fa "{each}"' for each in arguments.split(", ")), ".Fc"])
 
 
 def said_of_members(code):
-    return [(f"{'Va' if is_variable else 'Dv'} {name}", text) for is_variable, name, text in members(code)]
+    """(macro and name, text) of the members of a struct, or the constants of an enum, that have a comment."""
+    found = re.findall(r"(?m)^    ([^;\n]*?)(\w+)[\[\]\d]*(?: = \d+)?[;,]? +/\* (.*) \*/$", code)
+    return [(f"{'Va' if is_variable else 'Dv'} {name}", text) for is_variable, name, text in found]
 
 
 def described(comment, code):
@@ -198,8 +170,8 @@ def described(comment, code):
         heading = f".It Vt {names[0] if names else 'enum'}"
     blocks = list(paragraphs(comment))
     said = said_of_members(code)
-    if is_type(code) and not ("enum" in code and said):
-        blocks.append(literal(without_comments(code)))
+    if code.startswith(("typedef", "enum")) and not ("enum" in code and said):
+        blocks.append(literal(re.sub(r" */\*.*?\*/", "", code)))
     if said:
         blocks.append(listed(said))
     return f"{heading}\n{joined(blocks)}"
@@ -210,9 +182,9 @@ def page_of(header, example):
     sections = sections_of(header)
     declared = [entry for _, entries in sections for entry in entries]
     status = next(entry for entry in declared if entry[1].endswith("} tribox_status;"))
-    names = ["tribox", *(function_of(code) for _, code in declared if is_function(code))]
+    names = ["tribox", *(name for _, code in declared if is_function(code) for name in declared_by(code))]
 
-    yield HEAD.strip().format(date=DATE, title=title_of(header), names=" ,\n".join(f".Nm {name}" for name in names))
+    yield HEAD.strip().format(date=DATE, title=re.match(r"/\*\n \* tribox\.h - (.*)", header)[1], names=" ,\n".join(f".Nm {name}" for name in names))
     for title, entries in sections:
         calls = [synopsis(code) for _, code in entries if is_function(code)]
         if calls:
@@ -224,14 +196,10 @@ def page_of(header, example):
     yield EXAMPLES.strip().format(code=literal(example))
 
 
-def read(path):
-    with open(path, encoding="utf-8") as file:
-        return file.read()
-
-
 header_path, readme_path, page_path = sys.argv[1:]
 public_header = read_headers(header_path)
 types = set(re.findall(r"(?m)^\} (\w+);$", public_header))
-first_example = re.search(r"```c\n((?:(?!```).)*int main.*?)```", read(readme_path), re.S)[1]
+with open(readme_path, encoding="utf-8") as readme:
+    first_example = re.search(r"```c\n((?:(?!```).)*int main.*?)```", readme.read(), re.S)[1]
 with open(page_path, "w", encoding="ascii") as page:
     page.write("\n".join(page_of(public_header, first_example)) + "\n")
