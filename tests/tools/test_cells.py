@@ -297,7 +297,7 @@ HELD = grid_of("0.03,0.0213,0.18", "-2,-0.7,-1.7", "140,131,19")
 NEVER = np.array([[[meshes.NAN] * 3] * 3] * 3)
 SCENES = {
     "floats": (meshes.floats(MANY), TILES, (), ("npz", "raw")),
-    "surfaces": (LATTICE, grid_of("0.015625,0.03125,0.0625", "-2,-2,-2", "257,130,63"), (), ("ply", "obj", "glb")),
+    "surfaces": (LATTICE, grid_of("0.03125,0.0625,0.125", "-2,-2,-2", "129,65,33"), (), ("ply", "obj", "glb")),
     "doubles": (MANY, TILES, (), ("npz", "raw")),
     "few": (LATTICE, ("-r", "150"), (), ("npz", "binvox", "vox", "npy", "vti", "nrrd", "cells")),
     "small": (LATTICE[:1], ("-r", "9"), (), ("npz", "vox")),
