@@ -24,6 +24,6 @@ cp "$here/package.json" .
 npm install --loglevel=error --no-audit --no-fund --no-package-lock --prefer-offline
 case ${1:-} in
 measure) PLAYWRIGHT=$PWD node "$here/measure.mjs" ;;
-pictures | film) part=$1 && shift && PLAYWRIGHT=$PWD node "$here/$part.mjs" "$@" ;;
+pictures | film) PLAYWRIGHT=$PWD node "$here/pictures.mjs" "$@" ;;
 *) PLAYWRIGHT=$PWD node "$here/run.mjs" "$@" ;;
 esac
