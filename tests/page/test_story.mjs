@@ -1,7 +1,6 @@
 // test_story.mjs - the pictures one scrolls through: the opening, thirteen axes, an index, ties, cells; and no picture at all.
 import assert from 'node:assert/strict';
-import { axesOf } from '../../examples/web/src/story/axes.js';
-import { steps } from '../../examples/web/src/story/steps.js';
+import { axesOf, steps } from '../../examples/web/src/story.js';
 import { visitsOf } from '../../examples/web/src/visits.js';
 import { answerOf, ask, settled } from './answer.mjs';
 import { DESK, openPage, PHONE, SMALL } from './browser.mjs';

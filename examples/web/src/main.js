@@ -1,14 +1,13 @@
 // main.js - starts the page, and hands on what is done to it.
 import readerWasm from 'built:read';
 import wasm from 'built:wasm';
-import { makeChoice } from './choices.js';
 import { Engine, makeMesh } from './engine.js';
 import { readGlb } from './glb.js';
 import { Motion } from './motion.js';
 import { Page } from './page.js';
-import { Panel } from './panel.js';
+import { makeChoice, Panel } from './panel.js';
 import { scenes } from './scenes/scenes.js';
-import { Story } from './story/story.js';
+import { Story } from './story.js';
 import { addBoxKeys } from './view/box_keys.js';
 import { BoxView } from './view/box_view.js';
 import { Cells } from './view/cells.js';

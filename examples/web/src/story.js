@@ -1,7 +1,44 @@
 // story.js - the pictures that one scrolls or clicks through, and the console that they hide.
-import { axesOf } from './axes.js';
-import { steps } from './steps.js';
-import { whole } from '../numbers.js';
+import { whole } from './numbers.js';
+
+/** Of each picture: which mesh, what is asked of it, and whether the box moves by itself. */
+export const steps = [
+    { scene: 'some', moves: true, isMeasured: true },
+    { scene: 'one', hasCorners: true },
+    { scene: 'some', moves: true },
+    { scene: 'million', moves: true, size: 0.4, test: { byIndex: true } },
+    { scene: 'grazing', test: { accuracy: 'fast' } },
+    { scene: 'some', moves: true, test: { cells: true, resolution: 32 } },
+];
+
+/* The thirteen axes of the paper about one triangle and the cube from -1 to 1: where each sees both, and the gap between. */
+const UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+
+const cross = (u, v) => [0, 1, 2].map((a) => u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3]);
+const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+
+/** The paper's letters: e for normals of the box, n for that of the triangle, a for the cross product of a normal and an edge. */
+function directions(vertices) {
+    const edges = [0, 1, 2].map((j) => vertices[(j + 1) % 3].map((x, a) => x - vertices[j][a]));
+    return [
+        ...UNIT.map((e, i) => ({ letter: 'e', number: `${i}`, group: 'box', axis: e })),
+        { letter: 'n', number: '', group: 'plane', axis: cross(edges[0], edges[1]) },
+        ...UNIT.flatMap((e, i) => edges.map((f, j) => ({ letter: 'a', number: `${i}${j}`, group: 'edges', axis: cross(e, f) }))),
+    ];
+}
+
+/**
+ * The interval of the triangle on each axis, lo to hi; that of the cube is -r to r. gap: what lies between, 0 where they touch or
+ * overlap. Exact for multiples of 1/64 below 8, as all products then fit a double.
+ */
+export function axesOf(triangle) {
+    const vertices = [0, 3, 6].map((at) => Array.from(triangle.slice(at, at + 3)));
+    return directions(vertices).map(({ axis, ...name }) => {
+        const places = vertices.map((v) => dot(axis, v)), r = Math.abs(axis[0]) + Math.abs(axis[1]) + Math.abs(axis[2]);
+        const lo = Math.min(...places), hi = Math.max(...places);
+        return { ...name, lo, hi, r, gap: Math.max(lo - r, -r - hi, 0) };
+    });
+}
 
 /* The thirteen axes as small bars: above the box, below the triangle, and lit what lies between them. */
 function bar(className) {
@@ -27,7 +64,7 @@ function put(element, from, to) {
     element.style.width = `${Math.max(0, 100 * (to - from))}%`;
 }
 
-/** Fills a list with bars; returns what shows the axes of axes.js in it. */
+/** Fills a list with bars; returns what shows the axes in it. */
 function makeAxesView(list) {
     let items = null;
     return (axes) => {
