@@ -279,17 +279,17 @@ static int read_blocks(bytes b, triangle_file *file)
 {
     static float room[9][TRIANGLE_BLOCK];
     static double doubles[9 * TRIANGLE_BLOCK];
+    static unsigned char records[TRIANGLE_BLOCK_BYTES];
     float *streams[9];
-    size_t count = 1;
+    triangle_block block = {.bytes = records};
     int code = EXIT_CODE_OK;
     for (int k = 0; k < 9; k++)
         streams[k] = room[k];
-    while (!code && count) {
-        code = file->format == TRIANGLES_F64 ? triangle_file_next_doubles(file, doubles, &count)
-                                             : triangle_file_next(file, streams, &count);
+    while (!code && !(code = triangle_file_find(file, &block)) && block.count) {
+        code = triangle_file_unpack(file, &block, streams, file->format == TRIANGLES_F64 ? doubles : NULL);
         ensure(file->taken <= b.size / layouts[file->format].record, "more triangles than the file has bytes for");
         if (!code)
-            check_block(b, file, room, doubles, count);
+            check_block(b, file, room, doubles, block.count);
     }
     return code;
 }

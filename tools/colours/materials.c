@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/memory.h"
 #include "console/message.h"
 #include "files/named_file.h"
 
@@ -17,27 +18,14 @@ static const material *find(const materials *m, const char *name, size_t length)
     return NULL;
 }
 
-static bool make_room(materials *m)
-{
-    if (m->count < m->room)
-        return true;
-    const size_t room = m->room ? 2 * m->room : 16;
-    material *const more = realloc(m->of, room * sizeof *more);
-    if (!more)
-        return false;
-    m->of = more;
-    m->room = room;
-    return true;
-}
-
 static bool add(materials *m, const char *name, size_t length)
 {
-    char *const copy = make_room(m) ? malloc(length + 1) : NULL;
+    material *const of = memory_grow(m->of, m->count + 1, &m->room, sizeof *of);
+    m->of = of ? of : m->of;
+    char *const copy = of ? calloc(1, length + 1) : NULL;
     if (!copy)
         return false;
-    memcpy(copy, name, length);
-    copy[length] = '\0';
-    m->of[m->count++] = (material){.name = copy};
+    of[m->count++] = (material){.name = memcpy(copy, name, length)};
     return true;
 }
 

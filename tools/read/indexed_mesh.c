@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/memory.h"
 #include "console/message.h"
 
 /* Corners that a polygon may have, and that are looked at for each of these: without an end a file could ask for years. */
@@ -124,7 +125,7 @@ static int polygon_ears_cut(const char *path, size_t corners, const double norma
 }
 
 /* Corners of a polygon that are tried: with all of them a file could ask for years. */
-enum { APEXES_MAX = 64, TRIANGLES_AT_FIRST = 1024 };
+enum { APEXES_MAX = 64 };
 
 int indexed_mesh_reserve(const char *path, uint64_t vertices, unsigned position_bytes, indexed_mesh *m)
 {
@@ -177,23 +178,14 @@ int indexed_mesh_reserve_face(const char *path, uint64_t corners, indexed_mesh *
     return EXIT_CODE_OK;
 }
 
-static int grow(const char *path, indexed_mesh *m)
+int indexed_mesh_add_triangle(const char *path, uint32_t a, uint32_t b, uint32_t c, indexed_mesh *m)
 {
-    const size_t most = m->triangles_max ? 2 * m->triangles_max : TRIANGLES_AT_FIRST;
-    uint32_t *const corners = most <= SIZE_MAX / sizeof(uint32_t[3]) ? realloc(m->corners, most * sizeof(uint32_t[3])) : NULL;
+    uint32_t *const corners = memory_grow(m->corners, m->triangles + 1, &m->triangles_max, sizeof(uint32_t[3]));
     if (!corners)
         return message_failure("%s: out of memory for more than %zu triangles", path, m->triangles);
     m->corners = corners;
-    m->triangles_max = most;
+    memcpy(corners + 3 * m->triangles++, (uint32_t[3]){a, b, c}, sizeof(uint32_t[3]));
     return EXIT_CODE_OK;
-}
-
-int indexed_mesh_add_triangle(const char *path, uint32_t a, uint32_t b, uint32_t c, indexed_mesh *m)
-{
-    const int code = m->triangles < m->triangles_max ? EXIT_CODE_OK : grow(path, m);
-    if (!code)
-        memcpy(m->corners + 3 * m->triangles++, (uint32_t[3]){a, b, c}, sizeof(uint32_t[3]));
-    return code;
 }
 
 typedef struct vector {

@@ -131,9 +131,10 @@ static int more_room(const char *name, bool is_double, size_t *room, mesh *m)
 static int read_stream(triangle_file *file, mesh *m)
 {
     const bool is_double = file->format == TRIANGLES_F64;
-    size_t room = 0, count = 1;
-    int code = EXIT_CODE_OK;
-    while (!code && count) {
+    triangle_block *const block = make_block(NULL);
+    size_t room = 0;
+    int code = block ? EXIT_CODE_OK : message_failure("%s: out of memory", file->name);
+    while (!code && !(code = triangle_file_find(file, block)) && block->count) {
         float *to[9];
         if (room - m->triangles < TRIANGLE_BLOCK)
             code = more_room(file->name, is_double, &room, m);
@@ -141,11 +142,11 @@ static int read_stream(triangle_file *file, mesh *m)
             break;
         if (!is_double)
             mesh_streams(m, m->triangles, to);
-        code = is_double ? triangle_file_next_doubles(file, (double *)m->positions + 9 * m->triangles, &count)
-                         : triangle_file_next(file, to, &count);
-        m->triangles += count;
+        code = triangle_file_unpack(file, block, to, is_double ? (double *)m->positions + 9 * m->triangles : NULL);
+        m->triangles += block->count;
         m->soup.count = is_double ? 0 : m->triangles;
     }
+    free(block);
     if (!code && is_double)
         mesh_set_doubles(m->positions, 3 * m->triangles, NULL, m->triangles, m);
     return code || m->triangles ? code : message_failure("%s: contains no triangles", file->name);

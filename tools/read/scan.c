@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "console/memory.h"
 #include "console/message.h"
 
 int scan_open(const char *path, mesh_kind kind, const whole_file *file, scan *s)
@@ -51,14 +52,11 @@ int scan_next(scan *s)
 int scan_refer(scan *s, scan_reference reference)
 {
     scan_item *const i = &s->item;
-    if (i->count == i->room) {
-        const size_t room = i->room ? 2 * i->room : 16;
-        scan_reference *const more = realloc(i->references, room * sizeof *more);
-        if (!more)
-            return SCAN_REFUSE(s, "%s: out of memory for the corners of a face", s->words.path);
-        i->references = more;
-        i->room = room;
-    }
+    scan_reference *const references =
+        i->count < i->room ? i->references : memory_grow(i->references, i->count + 1, &i->room, sizeof reference);
+    if (!references)
+        return SCAN_REFUSE(s, "%s: out of memory for the corners of a face", s->words.path);
+    i->references = references;
     i->references[i->count++] = reference;
     i->corners += reference.which == SCAN_POSITIONS;
     return EXIT_CODE_OK;

@@ -5,7 +5,6 @@
 #include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -137,13 +136,8 @@ int triangle_file_open(const char *path, triangle_format format, triangle_file *
         (triangle_file){.name = triangle_file_name(path), .format = is_given ? format : format_of_name(path), .size = UINT64_MAX};
     if (file->format == TRIANGLES_OTHER)
         return EXIT_CODE_OK;
-    int code = open_stream(path, file);
-    if (!code)
-        code = file->format == TRIANGLES_STL ? open_stl(file, is_given) : open_raw(file);
-    if (code || !file->stream)
-        return code;
-    file->bytes = malloc(TRIANGLE_BLOCK_BYTES);
-    return file->bytes ? EXIT_CODE_OK : message_failure("%s: out of memory", file->name);
+    const int code = open_stream(path, file);
+    return code ? code : file->format == TRIANGLES_STL ? open_stl(file, is_given) : open_raw(file);
 }
 
 /* Says after how many triangles the file ends too soon. */
@@ -235,25 +229,11 @@ int triangle_file_unpack(const triangle_file *file, triangle_block *block, float
     return message_status(status);
 }
 
-static int next(triangle_file *file, float *const streams[9], double *positions, size_t *count)
-{
-    triangle_block block = {.bytes = file->bytes};
-    const int code = triangle_file_find(file, &block);
-    *count = code ? 0 : block.count;
-    return *count ? triangle_file_unpack(file, &block, streams, positions) : code;
-}
-
-int triangle_file_next(triangle_file *file, float *const streams[9], size_t *count) { return next(file, streams, NULL, count); }
-
-int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count) { return next(file, NULL, positions, count); }
-
 size_t triangle_file_record(const triangle_file *file) { return formats[file->format].record; }
 
 void triangle_file_close(triangle_file *file)
 {
     if (file->stream && file->stream != stdin)
         fclose(file->stream);
-    free(file->bytes);
     file->stream = NULL;
-    file->bytes = NULL;
 }

@@ -26,7 +26,6 @@ typedef struct triangle_file {
     uint64_t promised;    /* triangles that should follow; UINT64_MAX where it is unknown */
     uint64_t taken;       /* triangles read so far */
     uint64_t start;       /* where in a regular file the first of them stands */
-    unsigned char *bytes; /* of a block, as they are in the file */
 } triangle_file;
 
 /* Triangles that follow each other in a file. */
@@ -55,17 +54,10 @@ const char *triangle_file_name(const char *path);
 int triangle_file_open(const char *path, triangle_format format, triangle_file *file);
 
 /*
- * Reads up to TRIANGLE_BLOCK triangles; *count is 0 after the last. A file that ends too soon or too late is a failure.
- * streams: x of the three vertices, then y, then z. Returns an exit_code.
- */
-int triangle_file_next(triangle_file *file, float *const streams[9], size_t *count);
-
-/* The same for a file of doubles: x, y, z of the three vertices of each triangle. */
-int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count);
-
-/*
- * The same in two steps, for threads that have a block each: what is next is found by one thread at a time, block->count is 0 after
- * the last; and is read from a regular file, and unpacked into streams, or positions where they are not NULL, by all at once.
+ * What is next is found by one thread at a time, up to TRIANGLE_BLOCK triangles; block->count is 0 after the last. A file that ends
+ * too soon or too late is a failure. Then it is read from a regular file, and unpacked into streams, x of the three vertices, then
+ * y, then z, or positions where they are not NULL, x, y, z of the three vertices of each, by all threads at once. Return an
+ * exit_code.
  */
 int triangle_file_find(triangle_file *file, triangle_block *block);
 int triangle_file_unpack(const triangle_file *file, triangle_block *block, float *const streams[9], double *positions);
