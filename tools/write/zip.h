@@ -35,6 +35,9 @@ void zip_begin_member(zip_out *zip, const char *name);
 void zip_add(zip_out *zip, const void *bytes, size_t count);
 void zip_end_member(zip_out *zip, const unsigned char header[NPY_HEADER]);
 
+/* The checksum with more bytes. */
+uint32_t zip_crc(uint32_t crc, const void *bytes, size_t count);
+
 /* The list of the members. */
 void zip_end(zip_out *zip);
 
