@@ -160,8 +160,9 @@ static int work_on_meshes(partition_answer *a)
     return code;
 }
 
-static int join(partition_answer *a, const partition *those, folder_out *out)
+static int join(partition_answer *a, const partition *all, folder_out *out)
 {
+    const partition *const those = all->pieces ? all->pieces : all;
     uint64_t before = 0;
     tile_runs *const runs = tile_runs_make(&a->cells.grid, a->header.tile, a->header.number_bytes, a->r->count, memory_of(a->r));
     if (!runs)
@@ -175,37 +176,21 @@ static int join(partition_answer *a, const partition *those, folder_out *out)
     return code ? code : folder_out_keep(out);
 }
 
-static int join_pieces(partition_answer *a, const partition *those)
+static int work_on_partitions(partition_answer *a)
 {
+    partition all;
     folder_out out;
-    int code = partition_check_alike(those, a->r->count);
+    int code = partition_open_all(&all, a->r->paths, a->r->count);
     if (code)
         return code;
-    a->header = partition_header_of_all(those, a->r->count);
+    a->header = all.header;
     a->cells = partition_voxels(&a->header);
     a->is_shifted = voxels_are_shifted(&a->cells);
     code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES(a->header.number_bytes));
-    if (code)
-        return code;
-    code = join(a, those, &out);
-    folder_out_drop(&out);
-    return code;
-}
-
-static int work_on_partitions(partition_answer *a)
-{
-    partition *const those = calloc(a->r->count, sizeof *those);
-    size_t opened = 0;
-    int code = those ? EXIT_CODE_OK : message_failure("out of memory for %zu partitions", a->r->count);
-    while (!code && opened < a->r->count) {
-        code = partition_open(&those[opened], a->r->paths[opened]);
-        opened += !code;
-    }
     if (!code)
-        code = join_pieces(a, those);
-    while (opened)
-        partition_close(&those[--opened]);
-    free(those);
+        code = join(a, &all, &out);
+    folder_out_drop(&out);
+    partition_close(&all);
     return code;
 }
 

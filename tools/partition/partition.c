@@ -225,17 +225,8 @@ int partition_check_numbers(const char *name, uint64_t triangles)
                                  triangles);
 }
 
-int partition_check_alike(const partition *pieces, size_t count)
-{
-    int code = EXIT_CODE_OK;
-    for (size_t i = 1; i < count && !code; i++)
-        code = check_pair(&pieces[0], &pieces[i]);
-    if (!code && pieces[0].header.number_bytes)
-        code = partition_check_numbers("the partitions", partition_header_of_all(pieces, count).triangles);
-    return code;
-}
-
-partition_header partition_header_of_all(const partition *pieces, size_t count)
+/* What the headers of pieces say of all their meshes together; records, places and checksum are left open. */
+static partition_header header_of_all(const partition *pieces, size_t count)
 {
     partition_header all = pieces[0].header;
     for (size_t i = 1; i < count; i++) {
@@ -246,6 +237,16 @@ partition_header partition_header_of_all(const partition *pieces, size_t count)
         all.position_bytes = one->position_bytes > all.position_bytes ? one->position_bytes : all.position_bytes;
     }
     return all;
+}
+
+static int check_alike(const partition *pieces, size_t count)
+{
+    int code = EXIT_CODE_OK;
+    for (size_t i = 1; i < count && !code; i++)
+        code = check_pair(&pieces[0], &pieces[i]);
+    if (!code && pieces[0].header.number_bytes)
+        code = partition_check_numbers("the partitions", header_of_all(pieces, count).triangles);
+    return code;
 }
 
 static int by_tile(const void *a, const void *b)
@@ -280,7 +281,7 @@ static void merge_records(partition *p, size_t count)
 static int join(partition *p)
 {
     size_t count = 0, at = 0;
-    int code = partition_check_alike(p->pieces, p->piece_count);
+    int code = check_alike(p->pieces, p->piece_count);
     if (code)
         return code;
     for (size_t i = 0; i < p->piece_count; i++)
@@ -293,7 +294,7 @@ static int join(partition *p)
             p->own_tiles[at] = p->pieces[i].tiles[r];
             p->own_tiles[at++].first = partition_count(&p->pieces[i], r);
         }
-    p->header = partition_header_of_all(p->pieces, p->piece_count);
+    p->header = header_of_all(p->pieces, p->piece_count);
     merge_records(p, count);
     for (size_t r = 0; r < p->header.records; r++)
         if ((r + 1 < p->header.records ? p->tiles[r + 1].first : p->header.places) - p->tiles[r].first > UINT32_MAX)

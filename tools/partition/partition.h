@@ -72,14 +72,8 @@ void partition_close(partition *p);
 /* Opens several as one: their grids, shifts and tiles have to be the same. Returns an exit_code; on success close it. */
 int partition_open_all(partition *p, const char *const *paths, size_t count);
 
-/* Refuses partitions that do not fit together. Returns an exit_code. */
-int partition_check_alike(const partition *pieces, size_t count);
-
 /* Refuses more triangles than ids can number. Returns an exit_code. */
 int partition_check_numbers(const char *name, uint64_t triangles);
-
-/* What the headers of pieces say of all their meshes together; records, places and checksum are left open. */
-partition_header partition_header_of_all(const partition *pieces, size_t count);
 
 /* Its grid and shift. */
 voxels partition_voxels(const partition_header *header);
