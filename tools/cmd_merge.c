@@ -15,7 +15,6 @@
 #include "console/processors.h"
 #include "voxelize/result_options.h"
 #include "voxelize/voxelize_report.h"
-#include "write/brick_cutter.h"
 #include "write/brick_out.h"
 #include "write/file_out.h"
 #include "write/part.h"

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "colours/cell_colours.h"
-#include "write/lowest_bit.h"
 
 /* ------------------------------------------------------------------------------------------------------------------- rectangles */
 

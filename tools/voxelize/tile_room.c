@@ -3,7 +3,7 @@
 
 #include "console/pages.h"
 #include "tile_set.h"
-#include "write/lowest_bit.h"
+#include "write/voxels.h"
 
 /* Tiles of a partition go to the library some at a time, as each call clears the scratch. */
 enum { BATCH_TRIANGLES = 4096, BATCH_TILES = 256 };

@@ -8,7 +8,6 @@
 #include "tile_set.h"
 #include "voxelize_work.h"
 #include "write/brick_out.h"
-#include "write/brick_cutter.h"
 #include "write/part.h"
 #include "write/voxels.h"
 

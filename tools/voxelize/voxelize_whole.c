@@ -17,7 +17,6 @@
 #include "tile_set.h"
 #include "tribox_threads.h"
 #include "voxelize_work.h"
-#include "write/brick_cutter.h"
 #include "write/brick_out.h"
 #include "write/voxels.h"
 

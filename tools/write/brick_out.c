@@ -2,10 +2,60 @@
 #define _POSIX_C_SOURCE 200809L
 #include "brick_out.h"
 
-#include "brick_cutter.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "console/interrupt.h"
 #include "console/message.h"
-#include "dense_out.h"
-#include "spool.h"
+#include "files/new_file.h"
+
+enum { CHUNK = 1 << 16 };
+
+/* A name in the folder of the output, or in a place for such files. To be freed; NULL without memory. */
+static char *name_within(const file_out *out)
+{
+    if (out->target)
+        return file_out_beside(out->target, false);
+    char *const folder = new_file_passing_folder(), *const name = folder ? malloc(strlen(folder) + sizeof "/x") : NULL;
+    if (name)
+        strcat(strcpy(name, folder), "/x");
+    free(folder);
+    char *const beside = name ? file_out_beside(name, false) : NULL;
+    free(name);
+    return beside;
+}
+
+FILE *spool_open(const file_out *out)
+{
+    char *const name = name_within(out);
+    if (!name)
+        return message_failure("%s: out of memory", out->path), NULL;
+    interrupt_hold(); /* until it has no name */
+    FILE *const spool = new_file_open_nameless(name);
+    const int reason = errno;
+    interrupt_release();
+    if (!spool) {
+        char *const slash = strrchr(name, '/');
+        if (slash)
+            *slash = '\0';
+        message_failure("%s: cannot write there: %s", out->target ? out->path : name, strerror(reason));
+    }
+    free(name);
+    return spool;
+}
+
+/* Appends all of it to the output. Returns an exit_code. */
+static int spool_copy(FILE *spool, const file_out *out)
+{
+    unsigned char chunk[CHUNK];
+    size_t length;
+    if (ferror(spool) || fflush(spool) || fseeko(spool, 0, SEEK_SET))
+        return file_out_failure(out);
+    while (!ferror(out->stream) && (length = fread(chunk, 1, sizeof chunk, spool)) > 0)
+        fwrite(chunk, 1, length, out->stream);
+    return ferror(spool) || ferror(out->stream) ? file_out_failure(out) : EXIT_CODE_OK;
+}
 
 /* Bricks after which the stream is asked whether it failed, which takes a lock. */
 enum { LOOK_EVERY = 256 };

@@ -65,10 +65,22 @@ typedef struct brick_writer {
     const struct shell_format *shell; /* of a format of meshes; NULL for others */
 } brick_writer;
 
+/*
+ * Opens a nameless file, gone with the program, for what cannot go where it belongs yet: on the disk of the output; for standard
+ * output where TMPDIR says, or in /tmp. NULL after a line.
+ */
+FILE *spool_open(const file_out *out);
+
 /* What formats share that need the words of all cells at once. */
 int gather_open(brick_out *out);
 int gather_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
 void gather_drop(brick_out *out);
+
+/*
+ * What stands before the cells, all layers of these, and what stands after them: by threads, in any order, where the file has
+ * places, else by one. Returns an exit_code.
+ */
+int dense_write(const volume_frame *frame, const file_out *file, const voxels *v, unsigned threads, progress *bar);
 
 /* Writes the cells, one slab, which may stay where they are, as a mesh. */
 int shell_end(brick_out *out, progress *bar);

@@ -1,15 +1,68 @@
 /* bricks_npz.c - bricks as arrays for numpy.load: where they are, their bits, what is known of these, and the grid. */
+#define _POSIX_C_SOURCE 200809L
 #include <stdlib.h>
 #include <string.h>
 
 #include "brick_out.h"
 #include "colours/cell_colours.h"
+#include "console/memory.h"
 #include "console/message.h"
+#include "console/pages.h"
 #include "npz.h"
 #include "read/little.h"
-#include "spool.h"
 
-enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512 };
+enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512, KEPT = 1 << 22, CHUNK = 1 << 16 };
+
+/* Bytes that cannot go where they belong yet: in memory, which takes less than a file, as long as they are few. */
+typedef struct waiting {
+    const file_out *out;  /* where they will go, for the place of the file and for messages */
+    unsigned char *bytes; /* NULL for none */
+    size_t count, room;   /* of these, and for how many there is memory */
+    FILE *rest;           /* NULL as long as there is none */
+} waiting;
+
+static waiting waiting_for(const file_out *out) { return (waiting){.out = out}; }
+
+static void waiting_free(waiting *w)
+{
+    if (w->rest)
+        fclose(w->rest);
+    pages_free(w->bytes, w->room);
+    *w = (waiting){.count = 0};
+}
+
+/* Returns an exit_code, on failure after its line. */
+static int waiting_add(waiting *w, const void *bytes, size_t count)
+{
+    void *const grown = !w->rest && count <= KEPT - w->count ? memory_grow_pages(w->bytes, w->count + count, &w->room, 1) : NULL;
+    if (grown) {
+        w->bytes = grown;
+        memcpy(w->bytes + w->count, bytes, count);
+        w->count += count;
+        return EXIT_CODE_OK;
+    }
+    if (!w->rest)
+        w->rest = spool_open(w->out);
+    if (!w->rest)
+        return EXIT_CODE_FAILURE;
+    return fwrite(bytes, 1, count, w->rest) == count ? EXIT_CODE_OK : file_out_failure(w->out);
+}
+
+/* Hands on all of them, in order. Returns as above. */
+static int waiting_hand_on(waiting *w, void (*take)(void *data, const void *bytes, size_t count), void *data)
+{
+    unsigned char chunk[CHUNK];
+    size_t length;
+    if (w->count)
+        take(data, w->bytes, w->count);
+    if (!w->rest)
+        return EXIT_CODE_OK;
+    if (fflush(w->rest) || fseek(w->rest, 0, SEEK_SET))
+        return file_out_failure(w->out);
+    while ((length = fread(chunk, 1, sizeof chunk, w->rest)) > 0)
+        take(data, chunk, length);
+    return ferror(w->rest) ? file_out_failure(w->out) : EXIT_CODE_OK;
+}
 
 /* The file gets the bits as they come; what else there is of bricks and cells waits beside it. */
 typedef struct npz {

@@ -1,11 +1,9 @@
 /* gather.c - cells that a format needs all at once, in memory until all bricks are there: their words, or an id of each. */
 #include <stdlib.h>
 
-#include "brick_cutter.h"
 #include "brick_out.h"
 #include "console/memory.h"
 #include "console/message.h"
-#include "lowest_bit.h"
 #include "read/little.h"
 
 typedef struct gathering {

@@ -8,7 +8,6 @@
 
 #include "brick_out.h"
 #include "console/message.h"
-#include "lowest_bit.h"
 #include "read/little.h"
 
 /* Magic, version, length and text together are a multiple of 64, as the format demands. */

@@ -1,9 +1,10 @@
-/* voxels.h - the cells of a grid as bits: in memory, or in the mapped files of parts. */
+/* voxels.h - the cells of a grid as bits in memory, and bricks of 8 x 8 x 8 cells out of them, and into them. */
 #ifndef VOXELS_H
 #define VOXELS_H
 
 #include <stdbool.h>
 
+#include "console/progress.h"
 #include "tribox.h"
 
 /* Whole layers as tribox_voxelize writes them. */
@@ -38,6 +39,22 @@ enum { VOXELS_SURFACE = 1, VOXELS_INSIDE = 2 };
 
 static inline bool voxels_bit(const uint64_t *row, uint32_t i) { return row[i / 64] >> i % 64 & 1; }
 
+/* Where the lowest set bit of a word that is not 0 is, with any compiler. */
+static inline uint32_t lowest_bit(uint64_t word)
+{
+#if defined(__GNUC__)
+    return (uint32_t)__builtin_ctzll(word);
+#else
+    uint32_t n = 0;
+    for (uint32_t step = 32; step; step /= 2)
+        if (!(word << (64 - step) >> (64 - step))) {
+            word >>= step;
+            n += step;
+        }
+    return n;
+#endif
+}
+
 /* How many bits are set in `count` words. */
 uint64_t voxels_count(const uint64_t *words, size_t count);
 
@@ -61,5 +78,20 @@ int voxels_check_words(const tribox_grid *grid, const char *instead);
 
 /* Refuses what does not fit into memory before any of it is taken. instead: as above. Returns an exit_code. */
 int voxels_check_memory(const tribox_grid *grid, uint64_t bytes, const char *instead);
+
+/* Takes a brick as a tribox_sink does, but returns an exit_code. */
+typedef int brick_taker(void *data, const uint32_t at[3], const uint64_t bits[8]);
+
+/*
+ * Hands over each brick of the voxels that has a set cell, until one is not taken: by z, then y, then x, and with tiles tile after
+ * tile, as tribox_bricks does. tile: cells along a side, a multiple of 64; 0: no tiles. Returns an exit_code.
+ */
+int bricks_cut(const voxels *v, uint32_t tile, brick_taker *take, void *data, progress *bar);
+
+/* The cells of a brick that are inside, of voxels with labels. */
+void bricks_inside(const voxels *v, const uint32_t at[3], uint64_t inside[8]);
+
+/* Sets the cells of a brick that lies in the grid, in the words of all its layers. */
+void bricks_lay(const tribox_grid *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8]);
 
 #endif
