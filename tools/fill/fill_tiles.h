@@ -3,8 +3,19 @@
 #define FILL_TILES_H
 
 #include "console/progress.h"
-#include "fill_kinds.h"
-#include "tile_cells.h"
+#include "voxelize/tile_set.h"
+
+/* FILL_MIDDLES: parity of the middles alone, without the cells of the surface. */
+typedef enum voxelize_fill { FILL_NONE, FILL_OUTSIDE, FILL_PARITY, FILL_MIDDLES } voxelize_fill;
+
+/* The surface and its inside, as one or told apart; or the inside alone. */
+typedef enum fill_cells { FILL_CELLS_ALL, FILL_CELLS_LABELLED, FILL_CELLS_INSIDE } fill_cells;
+
+/* Takes bricks as a tribox_sink does, and which of the cells are inside, where that is asked. */
+typedef struct filled_sink {
+    int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8], const uint64_t inside[8]); /* 0 to go on */
+    void *data;
+} filled_sink;
 
 /* What was found in a beam; in sum in all. */
 typedef struct beam_found {

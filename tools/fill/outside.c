@@ -22,21 +22,23 @@ typedef struct labelled_tile {
 } labelled_tile;
 
 /* Label 0 is the outside, 1 + t that of tile t if it has no triangles; labels of other tiles follow. */
-typedef struct outside_labels {
+typedef struct outside {
+    const beams *beams;
     const tile_set *set;
+    progress *bar;
     uint32_t along[3];    /* tiles */
     uint32_t *record_of;  /* each tile's; NO_RECORD without triangles */
     labelled_tile *tiles; /* of records */
     uint32_t *parents;
     size_t count, room; /* labels */
-} outside_labels;
+} outside;
 
 #define NO_RECORD UINT32_MAX
 
 static const size_t labels_most = UINT32_MAX - 1;
 
 /* Room for `more` labels, each the parent of itself. */
-static bool add_labels(outside_labels *o, size_t more)
+static bool add_labels(outside *o, size_t more)
 {
     if (more > labels_most - o->count)
         return false;
@@ -53,12 +55,12 @@ static bool add_labels(outside_labels *o, size_t more)
     return true;
 }
 
-/* False where there is no memory. In any case labels_free follows. */
-static bool labels_start(const tile_set *set, outside_labels *o)
+/* False where there is no memory. */
+static bool labels_start(outside *o)
 {
-    *o = (outside_labels){.set = set};
+    const tile_set *const set = o->set;
     for (int a = 0; a < 3; a++)
-        o->along[a] = set->task.grid.size[a] / set->tile + (set->task.grid.size[a] % set->tile != 0);
+        o->along[a] = tiles_along(set, a);
     o->record_of = malloc(set->tiles * sizeof *o->record_of);
     o->tiles = calloc(set->count + 1, sizeof *o->tiles);
     if (!o->record_of || !o->tiles || !add_labels(o, set->tiles + 1))
@@ -69,20 +71,10 @@ static bool labels_start(const tile_set *set, outside_labels *o)
     return true;
 }
 
-static void labels_free(outside_labels *o)
-{
-    for (size_t r = 0; o->tiles && r < o->set->count; r++)
-        for (int face = 0; face < 6; face++)
-            free(o->tiles[r].faces[face]);
-    free(o->record_of);
-    free(o->tiles);
-    free(o->parents);
-}
-
 static size_t face_cells(const tribox_window *w, int face) { return (size_t)w->size[face < 2 ? 1 : 0] * w->size[face < 4 ? 2 : 1]; }
 
 /* The tile beside a face; false at the border of the grid. */
-static bool find_beside(const outside_labels *o, size_t tile, int face, size_t *beside)
+static bool find_beside(const outside *o, size_t tile, int face, size_t *beside)
 {
     const size_t step[3] = {1, o->along[0], (size_t)o->along[0] * o->along[1]};
     const size_t at = tile / step[face / 2] % o->along[face / 2];
@@ -93,7 +85,7 @@ static bool find_beside(const outside_labels *o, size_t tile, int face, size_t *
 }
 
 /* Across one face. Returns whether it is to be kept, as the tile beside it is not there yet. */
-static bool join_face(outside_labels *o, size_t record, const tribox_window *w, int face, const uint32_t *labels)
+static bool join_face(outside *o, size_t record, const tribox_window *w, int face, const uint32_t *labels)
 {
     size_t beside = 0;
     const size_t cells = face_cells(w, face);
@@ -117,7 +109,7 @@ static bool join_face(outside_labels *o, size_t record, const tribox_window *w, 
  * Adds a record's tile: its faces, of which those that are kept are taken over and NULL then. One thread at a time. False where
  * there is no memory, or no number is left.
  */
-static bool labels_add(outside_labels *o, size_t record, uint32_t *faces[6], uint32_t count)
+static bool labels_add(outside *o, size_t record, uint32_t *faces[6], uint32_t count)
 {
     const tribox_window w = tile_cells_of(o->set, (size_t)o->set->records[record].tile);
     labelled_tile *const tile = &o->tiles[record];
@@ -135,7 +127,7 @@ static bool labels_add(outside_labels *o, size_t record, uint32_t *faces[6], uin
 }
 
 /* Of tiles without triangles: one label each. */
-static void join_tiles(outside_labels *o, size_t tile)
+static void join_tiles(outside *o, size_t tile)
 {
     static const uint32_t one = 0;
     for (int face = 0; face < 6; face++) {
@@ -147,7 +139,7 @@ static void join_tiles(outside_labels *o, size_t tile)
 }
 
 /* When all are added: joins the tiles without triangles. A root is the least of its labels, so that of the outside is 0. */
-static void labels_finish(outside_labels *o)
+static void labels_finish(outside *o)
 {
     for (size_t t = 0; t < o->set->tiles; t++)
         if (o->record_of[t] == NO_RECORD)
@@ -157,15 +149,10 @@ static void labels_finish(outside_labels *o)
 }
 
 /* Whether the outside reaches the cells of a label, and all of a tile without triangles. */
-static bool has_label(const outside_labels *o, uint32_t label) { return o->parents[label] == 0; }
-static bool has_tile(const outside_labels *o, size_t tile) { return has_label(o, (uint32_t)tile + 1); }
+static bool has_label(const outside *o, uint32_t label) { return o->parents[label] == 0; }
+static bool has_tile(const outside *o, size_t tile) { return has_label(o, (uint32_t)tile + 1); }
 
 /* ---------------------------------------------------------------------------------------------------------------------- threads */
-
-typedef struct outside {
-    const beams *beams;
-    outside_labels labels;
-} outside;
 
 /* Of a thread: a tile, and for the second pass the tiles of a beam. */
 typedef struct outside_room {
@@ -202,10 +189,10 @@ static void end_room(void *data)
     free(r);
 }
 
-static void *start_room(const void *about)
+static void *start_room(void *about)
 {
     const outside *const o = about;
-    const tile_set *const set = o->beams->set;
+    const tile_set *const set = o->set;
     outside_room *const r = calloc(1, sizeof *r);
     if (!r)
         return NULL;
@@ -220,21 +207,10 @@ static void *start_room(const void *about)
 
 /* ------------------------------------------------------------------------------------------------------------------- first pass */
 
-typedef struct labelling {
-    outside *o;
-    progress *bar;
-} labelling;
-
-static void *start_labelling(void *data)
-{
-    const labelling *const l = data;
-    return start_room(l->o);
-}
-
 static int label_tile(void *data, void *place, size_t record)
 {
-    const labelling *const l = data;
-    const tile_set *const set = l->o->beams->set;
+    const outside *const o = data;
+    const tile_set *const set = o->set;
     outside_room *const r = place;
     const tribox_window w = tile_cells_of(set, (size_t)set->records[record].tile);
     tribox_report report;
@@ -244,45 +220,47 @@ static int label_tile(void *data, void *place, size_t record)
         status = r->faces[face] ? status : MESSAGE_NO_MEMORY;
     }
     if (!status)
-        status = tile_words_take(set, record, record + 1, r->tile, &(tile_words){w, r->surface}, &report);
+        status = tile_words_take(set, record, record + 1, r->tile, &w, r->surface, &report);
     return status ? (int)status : (int)tribox_fill_labels(w.size, r->surface, r->scratch, r->faces, &r->labels);
 }
 
 static int add_tile(void *data, void *place, size_t record)
 {
-    const labelling *const l = data;
+    outside *const o = data;
     outside_room *const r = place;
-    const bool is_added = labels_add(&l->o->labels, record, r->faces, r->labels);
+    const bool is_added = labels_add(o, record, r->faces, r->labels);
     free_faces(r);
-    progress_tell(l->bar, (double)(record + 1) / (double)l->o->beams->set->count);
+    progress_tell(o->bar, (double)(record + 1) / (double)o->set->count);
     return is_added ? 0 : (int)MESSAGE_NO_MEMORY;
 }
 
 static tribox_status open_outside(const beams *b, const double x[2], unsigned threads, progress *bar, void **about)
 {
-    const crew_work work = {.threads = threads,
-                            .count = b->set->count,
-                            .begin = start_labelling,
-                            .end = end_room,
-                            .step = label_tile,
-                            .tell = add_tile};
+    const crew_work work = {
+        .threads = threads, .count = b->set->count, .begin = start_room, .end = end_room, .step = label_tile, .tell = add_tile};
     outside *const o = calloc(1, sizeof *o);
     (void)x;
     *about = o;
     if (!o)
         return MESSAGE_NO_MEMORY;
-    o->beams = b;
-    const int status = labels_start(b->set, &o->labels) ? crew_do(&work, &(labelling){o, bar}) : (int)MESSAGE_NO_MEMORY;
+    *o = (outside){.beams = b, .set = b->set, .bar = bar};
+    const int status = labels_start(o) ? crew_do(&work, o) : (int)MESSAGE_NO_MEMORY;
     if (!status)
-        labels_finish(&o->labels);
+        labels_finish(o);
     return (tribox_status)status;
 }
 
 static void close_outside(void *about)
 {
     outside *const o = about;
-    if (o)
-        labels_free(&o->labels);
+    if (!o)
+        return;
+    for (size_t r = 0; o->tiles && r < o->set->count; r++)
+        for (int face = 0; face < 6; face++)
+            free(o->tiles[r].faces[face]);
+    free(o->record_of);
+    free(o->tiles);
+    free(o->parents);
     free(o);
 }
 
@@ -300,7 +278,7 @@ static void *more_room(void *had, size_t *count, size_t wanted, size_t size)
 /* The labels of a record that the outside reaches. */
 static bool find_outside(const outside *o, size_t record, outside_room *r)
 {
-    const labelled_tile *const tile = &o->labels.tiles[record];
+    const labelled_tile *const tile = &o->tiles[record];
     const size_t words = tribox_mask_words(tile->count) + 1;
     uint64_t *const mask = more_room(r->mask, &r->mask_words, words, sizeof *mask);
     if (!mask)
@@ -308,7 +286,7 @@ static bool find_outside(const outside *o, size_t record, outside_room *r)
     r->mask = mask;
     memset(mask, 0, words * sizeof *mask);
     for (uint32_t n = 0; n < tile->count; n++)
-        mask[n / 64] |= (uint64_t)has_label(&o->labels, tile->from + n) << n % 64;
+        mask[n / 64] |= (uint64_t)has_label(o, tile->from + n) << n % 64;
     return true;
 }
 
@@ -318,7 +296,7 @@ static tribox_status fill_tile(const outside *o, size_t record, const tribox_win
     uint32_t *const no_faces[6] = {NULL}, count = 0;
     tribox_report report = {0, 0};
     size_t inside = 0;
-    tribox_status status = tile_words_take(o->beams->set, record, record + 1, r->tile, &(tile_words){*w, r->surface}, &report);
+    tribox_status status = tile_words_take(o->set, record, record + 1, r->tile, w, r->surface, &report);
     if (!status)
         status = tribox_fill_labels(w->size, r->surface, r->scratch, no_faces, &count);
     if (!status && !find_outside(o, record, r))
@@ -333,12 +311,7 @@ static tribox_status fill_tile(const outside *o, size_t record, const tribox_win
 
 static void add_cells(beam_solid *solid, const tribox_window *w, const uint64_t *words, const uint64_t *inside)
 {
-    tile_cells *const to = &solid->tiles[solid->count++];
-    *to = (tile_cells){.words = words, .inside = inside, .row_words = tribox_mask_words(w->size[0])};
-    for (int a = 0; a < 3; a++) {
-        to->first[a] = w->first[a];
-        to->size[a] = w->size[a];
-    }
+    solid->tiles[solid->count++] = (tile_cells){*w, words, inside, tribox_mask_words(w->size[0]), 0};
 }
 
 /* The cells of a tile that go on. inside: room for them where they are asked for. */
@@ -356,7 +329,7 @@ static void add_tile_cells(beam_solid *to, const tribox_window *w, fill_cells ce
 static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_solid *solid, beam_found *found)
 {
     const outside *const o = about;
-    const tile_set *const set = o->beams->set;
+    const tile_set *const set = o->set;
     outside_room *const r = room;
     const size_t records = o->beams->first[beam + 1] - o->beams->first[beam];
     const fill_cells cells = o->beams->cells;
@@ -367,14 +340,14 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
     r->solid = records ? to : r->solid;
     for (size_t t = beam * o->beams->tiles; t < (beam + 1) * o->beams->tiles; t++) {
         const tribox_window w = tile_cells_of(set, t);
-        const uint32_t record = o->labels.record_of[t];
+        const uint32_t record = o->record_of[t];
         if (record != NO_RECORD) {
             const tribox_status status = fill_tile(o, record, &w, r, to, found);
             if (status)
                 return status;
             add_tile_cells(solid, &w, cells, r->surface, to, to + words / 2);
             to += words;
-        } else if (!has_tile(&o->labels, t)) {
+        } else if (!has_tile(o, t)) {
             add_cells(solid, &w, NULL, NULL);
             found->inside += cells_of(&w);
         }

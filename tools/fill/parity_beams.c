@@ -96,7 +96,7 @@ static void end_room(void *data)
 
 static uint32_t beam_side(uint32_t cells, uint32_t side) { return cells < side ? cells : side; }
 
-static void *start_room(const void *about)
+static void *start_room(void *about)
 {
     const parity *const p = about;
     const tile_set *const set = p->beams->set;
@@ -170,15 +170,9 @@ static void hand_on(const parity *p, const parity_room *r, size_t beam, const tr
     const uint64_t *const inside = cells == FILL_CELLS_LABELLED ? r->surface : NULL;
     for (size_t n = 0; n < p->beams->tiles; n++) {
         const tribox_window tile = tile_cells_of(p->beams->set, beam * p->beams->tiles + n);
-        tile_cells *const to = &solid->tiles[solid->count++];
-        *to = (tile_cells){.words = words + tile.first[0] / 64,
-                           .inside = inside ? inside + tile.first[0] / 64 : NULL,
-                           .row_words = row_words,
-                           .shift = tile.first[0] % 64};
-        for (int a = 0; a < 3; a++) {
-            to->first[a] = tile.first[a];
-            to->size[a] = tile.size[a];
-        }
+        const size_t before = tile.first[0] / 64;
+        solid->tiles[solid->count++] =
+            (tile_cells){tile, words + before, inside ? inside + before : NULL, row_words, tile.first[0] % 64};
     }
 }
 
@@ -191,7 +185,7 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
     w.size[0] = p->beams->set->task.grid.size[0];
     if (from == to && p->starts[beam] == p->starts[beam + 1])
         return TRIBOX_OK;
-    tribox_status status = tile_words_take(p->beams->set, from, to, r->tile, &(tile_words){w, r->surface}, &found->report);
+    tribox_status status = tile_words_take(p->beams->set, from, to, r->tile, &w, r->surface, &found->report);
     if (!status)
         status = fill_window(p, r, beam, &w, found);
     if (!status && p->beams->cells != FILL_CELLS_ALL)

@@ -4,7 +4,6 @@
 
 #include "console/clock.h"
 #include "console/message.h"
-#include "fill/fill_tiles.h"
 #include "tile_set.h"
 #include "voxelize_work.h"
 #include "write/brick_out.h"

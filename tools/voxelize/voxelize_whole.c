@@ -11,7 +11,6 @@
 #include "console/message.h"
 #include "console/pages.h"
 #include "console/progress.h"
-#include "fill/fill_tiles.h"
 #include "layers.h"
 #include "read/mesh.h"
 #include "tile_set.h"

@@ -3,7 +3,7 @@
 #define VOXELIZE_WORK_H
 
 #include "colours/mesh_colours.h"
-#include "fill/fill_kinds.h"
+#include "fill/fill_tiles.h"
 #include "grid_options.h"
 #include "partition/partition.h"
 #include "result_options.h"
