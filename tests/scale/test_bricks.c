@@ -196,11 +196,13 @@ static size_t take_share(random_source *r, brick_kind kind, size_t from, size_t 
 /* Each number of the lists of tiles once or twice, in order or not. */
 static void copy_lists(random_source *r, tile_lists *lists, size_t count, int copies, bool is_ordered)
 {
-    uint32_t *const twice = malloc(2 * lists->starts[count] * sizeof *twice + 1);
-    assert_non_null(twice);
+    const size_t bytes = (size_t)copies * lists->starts[count] * sizeof(uint32_t);
+    const guarded pages = guarded_make(bytes + 1);
+    uint32_t *const twice = guarded_tail(pages, bytes);
     for (size_t n = 0; n < lists->starts[count]; n++)
         twice[(size_t)copies * n] = twice[(size_t)copies * n + (size_t)copies - 1] = lists->list[n];
-    free(lists->list);
+    guarded_free(lists->list_pages);
+    lists->list_pages = pages;
     lists->list = twice;
     for (size_t t = 0; t <= count; t++)
         lists->starts[t] *= (size_t)copies;

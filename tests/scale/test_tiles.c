@@ -1,6 +1,7 @@
 /*
  * test_tiles.c - the triangles listed for each tile are those that overlap its box, float and double, in whole grids and shares;
- * lists of a few triangles at a time, put into one, are those of all at once.
+ * lists of a few triangles at a time, put into one, are those of all at once; and those of the cells of a window are those of tiles
+ * of one cell.
  */
 #include "tile_case.h"
 
@@ -8,45 +9,13 @@
 #include <math.h>
 
 #include "common/harness.h"
+#include "tiles/tiles.h"
 
-enum { PAIRS = 100000, ROUNDS = 800, PART_ROUNDS = 300, TILES_MAX = 3000, PARTS = 5 };
+enum { PAIRS = 100000, ROUNDS = 400, TILES_MAX = 3000, PARTS = 5 };
 
-static tile_case drawn;
+static tile_case drawn, in_cells;
 
 static const uint32_t tiles[] = {1, 2, 3, 4, 8, 128, 0};
-
-/* Lists of a share, from memory that ends where it has to. */
-typedef struct guarded_lists {
-    guarded starts_pages, list_pages;
-    size_t *starts;
-    uint32_t *list;
-} guarded_lists;
-
-static guarded_lists make_lists(const tile_case *c, size_t from, size_t to)
-{
-    guarded_lists g;
-    const size_t bytes = (to - from + 1) * sizeof *g.starts;
-    g.starts_pages = guarded_make(bytes);
-    g.starts = guarded_tail(g.starts_pages, bytes);
-    memset(g.starts, 0xa5, bytes);
-    assert_int_equal(tile_case_list(c, from, to, g.starts, NULL), TRIBOX_OK);
-    const size_t length = g.starts[to - from];
-    size_t *const counted = malloc(bytes);
-    assert_non_null(counted);
-    memcpy(counted, g.starts, bytes);
-    g.list_pages = guarded_make(length ? length * sizeof *g.list : 1);
-    g.list = guarded_tail(g.list_pages, length * sizeof *g.list);
-    assert_int_equal(tile_case_list(c, from, to, g.starts, g.list), TRIBOX_OK);
-    assert_memory_equal(g.starts, counted, bytes);
-    free(counted);
-    return g;
-}
-
-static void free_lists(guarded_lists g)
-{
-    guarded_free(g.starts_pages);
-    guarded_free(g.list_pages);
-}
 
 /* EXACT lists a tile's triangles; others list these, and of those that the box normals leave any. */
 static void check_tile(const tile_case *c, size_t tile, const uint32_t *list, size_t count)
@@ -69,25 +38,12 @@ static void check_tile(const tile_case *c, size_t tile, const uint32_t *list, si
 
 static void check_share(const tile_case *c, size_t from, size_t to)
 {
-    const guarded_lists g = make_lists(c, from, to);
-    assert_int_equal(g.starts[0], 0);
+    const tile_lists g = tile_case_lists(c, from, to);
     for (size_t t = from; t < to; t++) {
         assert_true(g.starts[t - from] <= g.starts[t - from + 1]);
         check_tile(c, t, g.list + g.starts[t - from], g.starts[t - from + 1] - g.starts[t - from]);
     }
-    free_lists(g);
-}
-
-CASE(test_lists)
-{
-    random_source r = random_named(args.seed, "tiles");
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
-        tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
-        tile_case_tell(&drawn, doing, sizeof doing);
-        const size_t count = tile_case_tiles(&drawn), from = (size_t)random_int(&r, (int)count + 1);
-        check_share(&drawn, 0, count < TILES_MAX ? count : TILES_MAX);
-        check_share(&drawn, from, from + (size_t)random_int(&r, (int)(count - from < 200 ? count - from : 200) + 1));
-    }
+    tile_lists_free(g);
 }
 
 /* From a tile to another tile: in a row, of rows, of layers, or any. */
@@ -102,27 +58,154 @@ static void draw_share(random_source *r, const tile_case *c, size_t *from, size_
     *to = *from + step * (1 + random_below(r, left < wanted ? left : wanted));
 }
 
-/* The lists of a share are those of the whole: EXACT, which promises it. */
-CASE(test_shares)
+/* Some of the triangles, and the places of each part, in memory that ends where it has to. */
+typedef struct part {
+    size_t first, count;
+    guarded pages;
+    size_t *places, *counted;
+} part;
+
+/* Parts in a row, empty ones too, which begin and end anywhere. */
+static void draw_parts(random_source *r, size_t count, part *parts)
 {
-    random_source r = random_named(args.seed, "shares of tiles");
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
-        tile_case_draw(&r, tiles[1 + round % (sizeof tiles / sizeof tiles[0] - 1)], &drawn);
-        drawn.of.options.accuracy = TRIBOX_EXACT;
-        tile_case_tell(&drawn, doing, sizeof doing);
-        const tile_lists whole = tile_case_lists(&drawn, 0, tile_case_tiles(&drawn));
-        for (int n = 0; n < 4; n++) {
-            size_t from, to;
-            draw_share(&r, &drawn, &from, &to);
-            const tile_lists share = tile_case_lists(&drawn, from, to);
-            const size_t *const starts = whole.starts + from;
-            for (size_t t = 0; t <= to - from; t++)
-                if (share.starts[t] != starts[t] - starts[0])
-                    fail_msg("%s: lists of the share %zu to %zu have other lengths", doing, from, to);
-            assert_memory_equal(share.list, whole.list + starts[0], share.starts[to - from] * sizeof *share.list);
-            tile_lists_free(share);
+    size_t at = 0;
+    for (int n = 0; n < PARTS; n++) {
+        const size_t left = count - at;
+        parts[n] = (part){.first = at, .count = n == PARTS - 1 ? left : random_below(r, left + 1)};
+        at += parts[n].count;
+    }
+}
+
+static void count_part(const tile_case *c, size_t from, size_t to, part *p)
+{
+    const size_t bytes = (to - from) * sizeof *p->places;
+    p->pages = guarded_make(bytes ? bytes : 1);
+    p->places = guarded_tail(p->pages, bytes);
+    assert_non_null(p->counted = malloc(bytes + 1));
+    memset(p->places, 0xa5, bytes);
+    assert_int_equal(tile_case_part(c, p->first, p->count, from, to, p->places, NULL), TRIBOX_OK);
+    memcpy(p->counted, p->places, bytes);
+}
+
+/* In each tile the parts follow each other. */
+static void place_parts(part *parts, size_t count, const size_t *starts)
+{
+    for (size_t t = 0; t < count; t++) {
+        size_t place = starts[t];
+        for (int n = 0; n < PARTS; n++) {
+            parts[n].places[t] = place;
+            place += parts[n].counted[t];
         }
-        tile_lists_free(whole);
+        if (place != starts[t + 1])
+            fail_msg("%s: of the %zu triangles of tile %zu of the share, parts have %zu", doing, starts[t + 1] - starts[t], t,
+                     place - starts[t]);
+    }
+}
+
+/* The last part first: places alone tell where each goes. */
+static void check_parts(random_source *r, const tile_case *c, size_t from, size_t to)
+{
+    part parts[PARTS];
+    const tile_lists whole = tile_case_lists(c, from, to);
+    const size_t length = whole.starts[to - from];
+    const guarded pages = guarded_make(length ? length * sizeof(uint32_t) : 1);
+    uint32_t *const list = guarded_tail(pages, length * sizeof *list);
+    draw_parts(r, c->of.count, parts);
+    for (int n = 0; n < PARTS; n++)
+        count_part(c, from, to, &parts[n]);
+    place_parts(parts, to - from, whole.starts);
+    memset(list, 0xa5, length * sizeof *list);
+    for (int n = PARTS; n-- > 0;)
+        assert_int_equal(tile_case_part(c, parts[n].first, parts[n].count, from, to, parts[n].places, list), TRIBOX_OK);
+    if (memcmp(list, whole.list, length * sizeof *list) != 0)
+        fail_msg("%s: parts do not make up the list of tiles %zu to %zu", doing, from, to);
+    for (size_t t = 0; t < to - from; t++)
+        assert_int_equal(parts[PARTS - 1].places[t], whole.starts[t + 1]);
+    for (int n = 0; n < PARTS; n++) {
+        free(parts[n].counted);
+        guarded_free(parts[n].pages);
+    }
+    guarded_free(pages);
+    tile_lists_free(whole);
+}
+
+static size_t cells_of(const uint32_t size[3]) { return (size_t)size[0] * size[1] * size[2]; }
+
+/* Any window, also one without cells, or of the last cell. */
+static tribox_window draw_window(random_source *r, const uint32_t size[3])
+{
+    tribox_window window;
+    for (int a = 0; a < 3; a++) {
+        window.first[a] = (uint32_t)random_below(r, size[a]);
+        window.size[a] = random_int(r, 3) ? (uint32_t)random_below(r, size[a] - window.first[a]) + 1 : size[a] - window.first[a];
+        window.size[a] = random_int(r, 40) ? window.size[a] : 0;
+    }
+    return window;
+}
+
+static tribox_status list_cells(const tribox_window *window, size_t *starts, uint32_t *numbers)
+{
+    const soup_or_mesh of = cells_all(&in_cells.of);
+    return CALL(cell_lists, &of, &in_cells.of.grid, window, &in_cells.of.options, starts, numbers);
+}
+
+/* The lists of the cells of a window, or of all, are those that tiles of one cell have, in memory that ends where it has to. */
+static void check_window(const tribox_window *window, const tile_lists *whole)
+{
+    const uint32_t *const grid = in_cells.of.grid.size, *const size = window ? window->size : grid;
+    const size_t cells = cells_of(size), bytes = (cells + 1) * sizeof(size_t);
+    const guarded pages = guarded_make(bytes);
+    size_t *const starts = guarded_tail(pages, bytes);
+    memset(starts, 0xa5, bytes);
+    assert_int_equal(list_cells(window, starts, NULL), TRIBOX_OK);
+    const size_t length = starts[cells];
+    const guarded list_pages = guarded_make(length ? length * sizeof(uint32_t) : 1);
+    uint32_t *const list = guarded_tail(list_pages, length * sizeof *list);
+    assert_int_equal(list_cells(window, starts, list), TRIBOX_OK);
+    assert_true(starts[0] == 0 && starts[cells] == length);
+    for (size_t at = 0; at < cells; at++) {
+        const size_t i = at % size[0], j = at / size[0] % size[1], k = at / size[0] / size[1], count = starts[at + 1] - starts[at];
+        const size_t cell =
+            window ? ((window->first[2] + k) * grid[1] + window->first[1] + j) * grid[0] + window->first[0] + i : at;
+        if (count != whole->starts[cell + 1] - whole->starts[cell])
+            fail_msg("%s: cell %zu of a window has %zu triangles, as a tile %zu", doing, cell, count,
+                     whole->starts[cell + 1] - whole->starts[cell]);
+        assert_memory_equal(list + starts[at], whole->list + whole->starts[cell], count * sizeof *list);
+    }
+    guarded_free(pages);
+    guarded_free(list_pages);
+}
+
+static void check_cells(random_source *r)
+{
+    in_cells = drawn;
+    in_cells.tile = 1;
+    in_cells.of.options.accuracy = TRIBOX_EXACT;
+    const tile_lists whole = tile_case_lists(&in_cells, 0, tile_case_tiles(&in_cells));
+    check_window(NULL, &whole);
+    for (int n = 0; n < 3; n++) {
+        const tribox_window window = draw_window(r, in_cells.of.grid.size);
+        check_window(&window, &whole);
+    }
+    tile_lists_free(whole);
+}
+
+CASE(test_lists)
+{
+    random_source r = random_named(args.seed, "tiles");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+        tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
+        tile_case_tell(&drawn, doing, sizeof doing);
+        const size_t count = tile_case_tiles(&drawn);
+        for (int n = 0; n < 4; n++) {
+            size_t from = 0, to = count;
+            if (n)
+                draw_share(&r, &drawn, &from, &to);
+            to = to - from < TILES_MAX ? to : from + TILES_MAX;
+            check_share(&drawn, from, to);
+            check_parts(&r, &drawn, from, to);
+        }
+        check_cells(&r);
     }
 }
 
@@ -260,89 +343,49 @@ CASE(test_numbers_of_tiles)
     assert_int_equal(tribox_tile_count(most, UINT32_MAX - 1), 8);
 }
 
-/* Some of the triangles, and the places of each part, in memory that ends where it has to. */
-typedef struct part {
-    size_t first, count;
-    guarded pages;
-    size_t *places, *counted;
-} part;
-
-/* Parts in a row, empty ones too, which begin and end anywhere. */
-static void draw_parts(random_source *r, size_t count, part *parts)
+/* A window far from the first cell of a grid whose cells no number of tiles counts, where planes are rounded. */
+CASE(test_far)
 {
-    size_t at = 0;
-    for (int n = 0; n < PARTS; n++) {
-        const size_t left = count - at;
-        parts[n] = (part){.first = at, .count = n == PARTS - 1 ? left : random_below(r, left + 1)};
-        at += parts[n].count;
-    }
-}
-
-static void count_part(const tile_case *c, size_t from, size_t to, part *p)
-{
-    const size_t bytes = (to - from) * sizeof *p->places;
-    p->pages = guarded_make(bytes ? bytes : 1);
-    p->places = guarded_tail(p->pages, bytes);
-    assert_non_null(p->counted = malloc(bytes + 1));
-    memset(p->places, 0xa5, bytes);
-    assert_int_equal(tile_case_part(c, p->first, p->count, from, to, p->places, NULL), TRIBOX_OK);
-    memcpy(p->counted, p->places, bytes);
-}
-
-/* In each tile the parts follow each other. */
-static void place_parts(part *parts, size_t count, const size_t *starts)
-{
-    for (size_t t = 0; t < count; t++) {
-        size_t place = starts[t];
-        for (int n = 0; n < PARTS; n++) {
-            parts[n].places[t] = place;
-            place += parts[n].counted[t];
+    random_source r = random_named(args.seed, "far cells");
+    const tribox_grid grid = {{-3e8, 0.1, 7}, {0.3, 0.7, 1.0 / 3}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
+    for (size_t round = 0; round < 200 / (arguments_are_short(&args) ? 10 : 1); round++) {
+        tribox_window window;
+        double u[4][9];
+        size_t starts[4 * 5 * 3 + 1], at = 0;
+        uint32_t numbers[4 * 60];
+        for (int a = 0; a < 3; a++) {
+            window.first[a] = (uint32_t)random_below(&r, UINT32_MAX - 10);
+            window.size[a] = (const uint32_t[]){4, 5, 3}[a];
+            for (int n = 0; n < 12; n++) {
+                const uint32_t cell = window.first[a] + (uint32_t)random_int(&r, 5);
+                const double on = tribox_grid_cell(&grid, a ? 0 : cell, a == 1 ? cell : 0, a == 2 ? cell : 0).lo[a];
+                u[n / 3][3 * (n % 3) + a] = random_int(&r, 2) ? on : on + random_double(&r, -1, 1) * grid.cell[a];
+            }
         }
-        if (place != starts[t + 1])
-            fail_msg("%s: of the %zu triangles of tile %zu of the share, parts have %zu", doing, starts[t + 1] - starts[t], t,
-                     place - starts[t]);
+        const tribox_mesh mesh = {.positions = u, .vertices = 12, .count = 4, .position_bytes = 8};
+        assert_int_equal(tribox_mesh_cell_lists(&mesh, &grid, &window, NULL, starts, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_cell_lists(&mesh, &grid, &window, NULL, starts, numbers), TRIBOX_OK);
+        for (uint32_t c = 0; c < 60; c++) {
+            const tribox_box box =
+                tribox_grid_cell(&grid, window.first[0] + c % 4, window.first[1] + c / 4 % 5, window.first[2] + c / 20);
+            uint64_t mask;
+            assert_int_equal(tribox_mesh_overlap(&mesh, &box, &(tribox_options){.kernel = "scalar"}, &mask, NULL), TRIBOX_OK);
+            for (uint32_t i = 0; i < 4; i++)
+                if (bit_of(&mask, i))
+                    assert_true(at < starts[c + 1] && numbers[at++] == i);
+            assert_int_equal(at, starts[c + 1]);
+        }
     }
 }
 
-/* The last part first: places alone tell where each goes. */
-static void check_parts(random_source *r, const tile_case *c, size_t from, size_t to)
+/* As many triangles as there are addresses for, and one more. */
+CASE(test_sums)
 {
-    part parts[PARTS];
-    const tile_lists whole = tile_case_lists(c, from, to);
-    const size_t length = whole.starts[to - from];
-    const guarded pages = guarded_make(length ? length * sizeof(uint32_t) : 1);
-    uint32_t *const list = guarded_tail(pages, length * sizeof *list);
-    draw_parts(r, c->of.count, parts);
-    for (int n = 0; n < PARTS; n++)
-        count_part(c, from, to, &parts[n]);
-    place_parts(parts, to - from, whole.starts);
-    memset(list, 0xa5, length * sizeof *list);
-    for (int n = PARTS; n-- > 0;)
-        assert_int_equal(tile_case_part(c, parts[n].first, parts[n].count, from, to, parts[n].places, list), TRIBOX_OK);
-    if (memcmp(list, whole.list, length * sizeof *list) != 0)
-        fail_msg("%s: parts do not make up the list of tiles %zu to %zu", doing, from, to);
-    for (size_t t = 0; t < to - from; t++)
-        assert_int_equal(parts[PARTS - 1].places[t], whole.starts[t + 1]);
-    for (int n = 0; n < PARTS; n++) {
-        free(parts[n].counted);
-        guarded_free(parts[n].pages);
-    }
-    guarded_free(pages);
-    tile_lists_free(whole);
-}
-
-CASE(test_parts)
-{
-    enum { FEW = 2000 };
-    random_source r = random_named(args.seed, "parts of tiles");
-    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / PART_ROUNDS); round++) {
-        tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
-        tile_case_tell(&drawn, doing, sizeof doing);
-        const size_t count = tile_case_tiles(&drawn), from = random_below(&r, count + 1), left = count - from;
-        check_parts(&r, &drawn, 0, count < FEW ? count : FEW);
-        check_parts(&r, &drawn, from, from + random_below(&r, (left < FEW ? left : FEW) + 1));
+    for (size_t more = 0; more < 2; more++) {
+        size_t counts[] = {9, SIZE_MAX / 8, SIZE_MAX / 8 + 1 + more, 0};
+        assert_int_equal(tribox_sum_counts(counts, 3), !more);
     }
 }
 
-PROGRAM(RUN(test_lists), RUN(test_shares), RUN(test_parts), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off),
-        RUN(test_numbers_of_tiles))
+PROGRAM(RUN(test_lists), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off), RUN(test_numbers_of_tiles),
+        RUN(test_far), RUN(test_sums))

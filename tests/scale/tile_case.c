@@ -81,7 +81,7 @@ static soup_or_mesh judge_of(const tile_case *c)
     return of;
 }
 
-tribox_status tile_case_list(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list)
+static tribox_status list_tiles(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list)
 {
     const soup_or_mesh of = cells_all(&c->of);
     const tribox_tiles tiles = {c->tile, from, to - from};
@@ -106,15 +106,6 @@ tribox_status tile_case_bricks(const tile_case *c, const soup_or_mesh *of, size_
     return CALL(bricks, of, &c->of.grid, &tiles, starts, list, &c->of.options, scratch, &sink->bits, report);
 }
 
-size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied)
-{
-    const soup_or_mesh of = judge_of(c);
-    tribox_report report;
-    memset(occupied, 0, CASE_WORDS * sizeof *occupied);
-    assert_int_equal(CALL(voxelize, &of, &c->of.grid, NULL, options, occupied, &report), TRIBOX_OK);
-    return report.overlapping;
-}
-
 void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint64_t *occupied, uint32_t *ids)
 {
     const soup_or_mesh of = judge_of(c);
@@ -136,16 +127,27 @@ void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *op
 
 tile_lists tile_case_lists(const tile_case *c, size_t from, size_t to)
 {
-    tile_lists lists;
-    assert_non_null(lists.starts = malloc((to - from + 1) * sizeof *lists.starts));
-    assert_int_equal(tile_case_list(c, from, to, lists.starts, NULL), TRIBOX_OK);
-    assert_non_null(lists.list = malloc(lists.starts[to - from] * sizeof *lists.list + 1));
-    assert_int_equal(tile_case_list(c, from, to, lists.starts, lists.list), TRIBOX_OK);
-    return lists;
+    tile_lists l;
+    const size_t bytes = (to - from + 1) * sizeof *l.starts;
+    l.starts_pages = guarded_make(bytes);
+    l.starts = guarded_tail(l.starts_pages, bytes);
+    memset(l.starts, 0xa5, bytes);
+    assert_int_equal(list_tiles(c, from, to, l.starts, NULL), TRIBOX_OK);
+    assert_int_equal(l.starts[0], 0);
+    const size_t length = l.starts[to - from];
+    l.list_pages = guarded_make(length ? length * sizeof *l.list : 1);
+    l.list = guarded_tail(l.list_pages, length * sizeof *l.list);
+    size_t *const counted = malloc(bytes);
+    assert_non_null(counted);
+    memcpy(counted, l.starts, bytes);
+    assert_int_equal(list_tiles(c, from, to, l.starts, l.list), TRIBOX_OK);
+    assert_memory_equal(l.starts, counted, bytes);
+    free(counted);
+    return l;
 }
 
 void tile_lists_free(tile_lists lists)
 {
-    free(lists.starts);
-    free(lists.list);
+    guarded_free(lists.starts_pages);
+    guarded_free(lists.list_pages);
 }

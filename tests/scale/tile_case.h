@@ -2,6 +2,7 @@
 #ifndef TRIBOX_TESTS_TILE_CASE_H
 #define TRIBOX_TESTS_TILE_CASE_H
 
+#include "common/guard.h"
 #include "voxels/cells.h"
 
 enum { CASE_CELLS = 60000, CASE_CELLS_F64 = 3000, CASE_WORDS = CASE_CELLS };
@@ -22,8 +23,7 @@ void tile_case_tell(const tile_case *c, char *text, size_t length);
 
 size_t tile_case_tiles(const tile_case *c);
 
-/* The calls. */
-tribox_status tile_case_list(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list);
+/* Places and lists of a part of the triangles. */
 tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, size_t from, size_t to, size_t *places,
                              uint32_t *list);
 
@@ -39,14 +39,12 @@ tribox_status tile_case_bricks(const tile_case *c, const soup_or_mesh *of, size_
 /* Ids are written where a bit is set; those of the whole grid with its bits, which are zero before. */
 void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint64_t *occupied, uint32_t *ids);
 
-/* The bits of the whole grid, by the scalar kernel where all are to be right. */
-size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied);
-
 /* Which triangles overlap a tile's box by these options. */
 void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *options, uint64_t *mask);
 
-/* The lists of tiles from .. to - 1; free both. */
+/* The lists of tiles from .. to - 1, in memory that ends where it has to. */
 typedef struct tile_lists {
+    guarded starts_pages, list_pages;
     size_t *starts;
     uint32_t *list;
 } tile_lists;
