@@ -1,16 +1,23 @@
 /*
- * test_order.c - the order of a soup is what the header says, on every kernel; boxes and meshes have the order of the soup that
- * they are; doubles have as good a one wherever they are; no input takes much longer than others.
+ * test_order.c - the order of a soup is what the header says, on every kernel, and made step by step, by threads or one after the
+ * other; boxes and meshes have the order of the soup that they are; doubles have as good a one wherever they are; no input takes
+ * much longer than others, nor more stack than the header says. And the key of a rank, by which it is cut, is that by sorting.
  */
+#define _POSIX_C_SOURCE 200809L
 #include <float.h>
 #include <math.h>
+#include <pthread.h>
 #include <time.h>
 
-#include "common/harness.h"
-#include "dispatch.h"
+#include "base/bits.h"
 #include "base/environment.h"
-#include "order_kinds.h"
+#include "common/harness.h"
+#include "common/thread_stack.h"
+#include "dispatch.h"
 #include "order/sort_keys.h"
+#include "order_kinds.h"
+#include "scalar/vec_scalar.h"
+#include "kernel/nodes/rank.h"
 #include "tribox_threads.h"
 
 static void order_by(const char *name, const order_room *room)
@@ -213,4 +220,184 @@ CASE(test_time)
     }
 }
 
-PROGRAM(RUN(test_words), RUN(test_large), RUN(test_time), RUN(test_boxes_and_meshes), RUN(test_doubles))
+enum { STEPPED = 20000, PARTS = 8, SHARE = (STEPPED + PARTS - 1) / PARTS };
+
+/* What a thread does: a part of the start, or all of a part from its cut on, handing on the second half. */
+typedef struct task {
+    pthread_t thread;
+    const order_room *room;
+    size_t first, count;
+    int depth;
+} task;
+
+static void *start(void *argument)
+{
+    const task *const t = argument;
+    assert_int_equal(tribox_soup_sort_start(&t->room->soup, t->first, t->count, t->room->scratch), TRIBOX_OK);
+    return NULL;
+}
+
+static void *finish(void *argument)
+{
+    const task *const t = argument;
+    const order_room *const room = t->room;
+    const size_t total = room->soup.count;
+    size_t before = 0;
+    if (t->depth)
+        assert_int_equal(tribox_sort_cut(room->scratch, total, t->first, t->count, &before), TRIBOX_OK);
+    if (!before) {
+        assert_int_equal(tribox_sort_finish(room->scratch, total, t->first, t->count, room->order), TRIBOX_OK);
+        return NULL;
+    }
+    task one = {.room = room, .first = t->first, .count = before, .depth = t->depth - 1};
+    task other = {.room = room, .first = t->first + before, .count = t->count - before, .depth = t->depth - 1};
+    assert_int_equal(pthread_create(&other.thread, NULL, finish, &other), 0);
+    finish(&one);
+    assert_int_equal(pthread_join(other.thread, NULL), 0);
+    return NULL;
+}
+
+CASE(test_threads)
+{
+    random_source r = random_named(args.seed, "threads");
+    static uint32_t expected[STEPPED];
+    for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
+        order_room room = order_room_make(&r, kind, STEPPED);
+        tribox_soup_sort(&room.soup, room.order, room.scratch);
+        memcpy(expected, room.order, sizeof expected);
+        memset(room.order, 0xff, sizeof expected);
+        memset(room.scratch, 0xff, 16 * STEPPED);
+        task part[PARTS];
+        for (size_t k = 0; k < PARTS; k++) {
+            part[k] = (task){.room = &room, .first = k * SHARE, .count = k < PARTS - 1 ? SHARE : STEPPED - k * SHARE};
+            assert_int_equal(pthread_create(&part[k].thread, NULL, start, &part[k]), 0);
+        }
+        for (size_t k = 0; k < PARTS; k++)
+            assert_int_equal(pthread_join(part[k].thread, NULL), 0);
+        finish(&(task){.room = &room, .count = STEPPED, .depth = 3});
+        assert_memory_equal(room.order, expected, sizeof expected);
+        order_room_free(&room);
+    }
+}
+
+/* Cut to the end by hand: of parts that are not cut any more, numbers are only written. */
+static void cut_to_words(const order_room *room, size_t first, size_t count)
+{
+    size_t before = SIZE_MAX;
+    assert_int_equal(tribox_sort_cut(room->scratch, room->soup.count, first, count, &before), TRIBOX_OK);
+    assert_int_equal(before == 0, count <= 64);
+    if (before) {
+        assert_true(before < count && before % 64 == 0);
+        cut_to_words(room, first + before, count - before);
+        cut_to_words(room, first, before);
+    } else
+        assert_int_equal(tribox_sort_finish(room->scratch, room->soup.count, first, count, room->order), TRIBOX_OK);
+}
+
+CASE(test_by_hand)
+{
+    random_source r = random_named(args.seed, "by hand");
+    uint32_t expected[4200];
+    for (size_t count = 1; count <= 4200; count += 1 + (size_t)random_int(&r, 600)) {
+        order_room room = order_room_make(&r, (order_kind)random_int(&r, ORDER_KINDS), count);
+        tribox_soup_sort(&room.soup, room.order, room.scratch);
+        memcpy(expected, room.order, 4 * count);
+        memset(room.order, 0xff, 4 * count);
+        for (size_t first = 0, part; first < count; first += part) {
+            part = 1 + (size_t)random_int(&r, (int)(count - first));
+            assert_int_equal(tribox_soup_sort_start(&room.soup, first, part, room.scratch), TRIBOX_OK);
+        }
+        cut_to_words(&room, 0, count);
+        assert_memory_equal(room.order, expected, 4 * count);
+        order_room_free(&room);
+    }
+}
+
+static void *order_all(void *argument)
+{
+    const order_room *const room = argument;
+    assert_int_equal(tribox_soup_sort(&room->soup, room->order, room->scratch), TRIBOX_OK);
+    return NULL;
+}
+
+CASE(test_stack)
+{
+    enum { STATED = 64 * 1024 };
+    if (!is_ordinary_build())
+        skip();
+    random_source r = random_named(args.seed, "stack");
+    order_room room = order_room_make(&r, KIND_RANDOM, STEPPED);
+    const size_t taken = stack_of(order_all, &room);
+    order_room_free(&room);
+    if (taken > STATED)
+        fail_msg("%zu bytes of stack, %d are stated", taken, STATED);
+}
+
+enum { MOST = 3000 };
+
+static float middles[MOST];
+static uint32_t numbers[MOST];
+
+static int by_image(const void *one, const void *other)
+{
+    const uint64_t a = *(const uint64_t *)one, b = *(const uint64_t *)other;
+    return a < b ? -1 : a > b;
+}
+
+static void demand_key(place_key key, uint64_t expected) { assert_int_equal(image_of_key(key), expected); }
+
+/* By counting bits, which no input is likely to need; samples find it however many keys there are. */
+CASE(test_ranks)
+{
+    random_source r = random_named(args.seed, "ranks");
+    static uint64_t images[MOST];
+    for (int round = 0; round < 300; round++) {
+        const size_t count = 1 + (size_t)random_int(&r, round % 2 ? 100 : MOST);
+        for (size_t i = 0; i < count; i++) {
+            middles[i] = round % 3 ? (float)random_int_between(&r, -5, 5) : (float)random_double(&r, -1, 1);
+            middles[i] = random_int(&r, 20) ? middles[i] : INFINITY;
+            numbers[i] = (uint32_t)(count - i) * (round % 5 ? 1 : UINT32_MAX / MOST); /* from 2^31 on, too */
+            images[i] = image_of_key((place_key){middles[i], numbers[i]});
+        }
+        qsort(images, count, sizeof *images, by_image);
+        for (size_t k = 0; k < 5; k++) {
+            const size_t rank = k < 2 ? k * (count - 1) : (size_t)random_int(&r, (int)count);
+            demand_key(rank_by_bits(middles, numbers, count, rank), images[rank]);
+            demand_key(key_of_rank(middles, numbers, count, rank), images[rank]);
+        }
+    }
+}
+
+/* Of random keys and of ordered ones, as many as limits and lists just hold, and so many that few are left in limits. */
+static void check_samples(random_source *r, size_t count, bool is_ordered)
+{
+    float *const many = malloc(count * sizeof *many);
+    uint32_t *const number = malloc(count * sizeof *number);
+    assert_true(many && number);
+    for (size_t i = 0; i < count; i++) {
+        many[i] = is_ordered ? (float)i : (float)random_double(r, -1, 1);
+        number[i] = (uint32_t)i;
+    }
+    for (size_t rank = count / 8; rank < count; rank += count / 3) {
+        key_list list;
+        place_key key;
+        assert_true(find_by_samples(many, number, count, rank, &list, &key));
+        demand_key(rank_by_bits(many, number, count, rank), image_of_key(key));
+    }
+    free(many);
+    free(number);
+}
+
+CASE(test_samples)
+{
+    random_source r = random_named(args.seed, "samples");
+    const size_t most = args.pairs >= 10000000 ? 10000000 : 3000000; /* more with --long */
+    for (int is_ordered = 0; is_ordered < 2; is_ordered++) {
+        check_samples(&r, most, is_ordered);
+        for (size_t count = 18000; count < 30000; count += 1000)
+            check_samples(&r, count, is_ordered);
+    }
+}
+
+PROGRAM(RUN(test_words), RUN(test_large), RUN(test_time), RUN(test_boxes_and_meshes), RUN(test_doubles), RUN(test_threads),
+        RUN(test_by_hand), RUN(test_stack), RUN(test_ranks), RUN(test_samples))
