@@ -4,26 +4,214 @@
 #include <math.h>
 #include <string.h>
 
-#include "contact_f64.h"
+/* Triangles of doubles made to touch a box from outside, and small changes to them. */
+
+static double dot(const double p[3], const double q[3]) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+
+static void cross(const double p[3], const double q[3], double to[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        to[i] = p[a] * q[b] - p[b] * q[a];
+    }
+}
+
+static void any_vector(random_source *r, double size, double v[3])
+{
+    for (int a = 0; a < 3; a++)
+        v[a] = random_double(r, -size, size);
+}
+
+/* Not inwards. */
+static void outward_vector(random_source *r, const double m[3], double size, double v[3])
+{
+    any_vector(r, size, v);
+    const double sign = dot(m, v) < 0 ? -1 : 1;
+    for (int a = 0; a < 3; a++)
+        v[a] *= sign;
+}
+
+/* A point of the box that is farthest along m: on a face, an edge, or a corner. */
+static void farthest(random_source *r, const tribox_box *box, const double m[3], double X[3])
+{
+    for (int a = 0; a < 3; a++)
+        X[a] = m[a] > 0 ? box->hi[a] : m[a] < 0 ? box->lo[a] : random_double(r, box->lo[a], box->hi[a]);
+}
+
+/* A direction with that many components other than zero. */
+static void direction(random_source *r, int components, double m[3])
+{
+    const int first = random_int(r, 3);
+    for (int k = 0; k < 3; k++) {
+        const double length = random_double(r, 0.05, 1);
+        m[(first + k) % 3] = k >= components ? 0 : random_int(r, 2) ? length : -length;
+    }
+}
+
+static void vertex_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
+{
+    double m[3], X[3], v[2][3];
+    direction(r, random_int_between(r, 1, 3), m);
+    farthest(r, box, m, X);
+    outward_vector(r, m, size, v[0]);
+    outward_vector(r, m, size, v[1]);
+    for (int a = 0; a < 3; a++) {
+        u[0][a] = X[a];
+        u[1][a] = X[a] + v[0][a];
+        u[2][a] = X[a] + v[1][a];
+    }
+}
+
+static void edge_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
+{
+    double m[3], X[3], d[3], v[3];
+    direction(r, 2, m);
+    farthest(r, box, m, X);
+    const int i = m[0] == 0 ? 0 : m[1] == 0 ? 1 : 2, a = (i + 1) % 3, b = (i + 2) % 3;
+    d[i] = random_double(r, -size, size);
+    d[a] = -m[b] * size;
+    d[b] = m[a] * size;
+    outward_vector(r, m, size, v);
+    const double s = random_double(r, 0, 1), t = random_double(r, 0, 1);
+    for (int k = 0; k < 3; k++) {
+        u[0][k] = X[k] + s * d[k];
+        u[1][k] = X[k] - t * d[k];
+        u[2][k] = X[k] + v[k];
+    }
+}
+
+static void plane_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
+{
+    double m[3], X[3], v[3], p[3], q[3];
+    direction(r, 3, m);
+    farthest(r, box, m, X);
+    any_vector(r, size, v);
+    cross(m, v, p);
+    cross(m, p, q);
+    double s[5];
+    for (int k = 0; k < 5; k++)
+        s[k] = random_double(r, 0, 1);
+    for (int a = 0; a < 3; a++) {
+        u[0][a] = X[a] + s[0] * p[a];
+        u[1][a] = X[a] - s[1] * p[a] + s[2] * q[a];
+        u[2][a] = X[a] - s[3] * p[a] - s[4] * q[a];
+    }
+}
+
+static void turn_vertices(random_source *r, double u[3][3])
+{
+    double copy[3][3];
+    const int first = random_int(r, 3), way = random_int_between(r, 1, 2);
+    memcpy(copy, u, sizeof copy);
+    for (int j = 0; j < 3; j++)
+        memcpy(u[j], copy[(first + way * j) % 3], sizeof copy[0]);
+}
+
+/*
+ * A triangle about as large as `size` that touches the box with a vertex, an edge or its inside, but for rounding, and has no point
+ * beyond a plane of contact.
+ */
+static void draw_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
+{
+    static void (*const kinds[])(random_source *, const tribox_box *, double, double[3][3]) = {vertex_contact, edge_contact,
+                                                                                               edge_contact, plane_contact};
+    kinds[random_int(r, 4)](r, box, size, u);
+    turn_vertices(r, u);
+}
+
+/* A triangle whose edge or plane goes through a corner of the box, or a vertex of which is one. Mostly it enters the box. */
+static void draw_through_corner(random_source *r, const tribox_box *box, double size, double u[3][3])
+{
+    const int kind = random_int(r, 3), i = random_int(r, 3);
+    const double s = random_double(r, -2, 2), t = random_double(r, -2, 2);
+    for (int a = 0; a < 3; a++) {
+        const double X = random_int(r, 2) ? box->lo[a] : box->hi[a];
+        for (int j = 0; j < 3; j++)
+            u[j][a] = random_double(r, -size, size);
+        if (kind == 0)
+            u[0][a] = X;
+        else if (kind == 1 && a != i)
+            u[1][a] = X + s * (u[0][a] - X);
+        else if (kind == 2)
+            u[2][a] = X + s * (u[0][a] - X) + t * (u[1][a] - X);
+    }
+}
+
+/* The double that is n steps away. */
+static double stepped(double x, int n)
+{
+    for (; n > 0; n--)
+        x = nextafter(x, INFINITY);
+    for (; n < 0; n++)
+        x = nextafter(x, -INFINITY);
+    return x;
+}
+
+static double *any_number(random_source *r, double u[3][3])
+{
+    const int k = random_int(r, 9);
+    return &u[k / 3][k % 3];
+}
+
+/* Moves some coordinates by up to `most` doubles, or by up to `most` times `by`. */
+static void nudge(random_source *r, double u[3][3], int most)
+{
+    for (int times = random_int(r, 4); times > 0; times--) {
+        double *const x = any_number(r, u);
+        *x = stepped(*x, random_int_between(r, -most, most));
+    }
+}
+
+static void shift(random_source *r, double u[3][3], int most, double by)
+{
+    for (int times = random_int(r, 4); times > 0; times--) {
+        double *const x = any_number(r, u);
+        *x += by * random_int_between(r, -most, most);
+    }
+}
+
+/* A box from -lo to hi, each a length between least and most. */
+static tribox_box box_about_zero(random_source *r, double least, double most)
+{
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = -random_double(r, least, most);
+        box.hi[a] = random_double(r, least, most);
+    }
+    return box;
+}
+
+/* Everything times 2^exponent[a], and moved by offset[a] of that unit. */
+static void place(batch_f64 *batch, const int exponent[3], const double offset[3])
+{
+    for (int a = 0; a < 3; a++) {
+        const double to = ldexp(offset[a], exponent[a]);
+        batch->box.lo[a] = ldexp(batch->box.lo[a], exponent[a]) + to;
+        batch->box.hi[a] = ldexp(batch->box.hi[a], exponent[a]) + to;
+        for (int k = 0; k < BATCH_F64; k++)
+            for (int j = 0; j < 3; j++)
+                batch->u[k][j][a] = ldexp(batch->u[k][j][a], exponent[a]) + to;
+    }
+}
 
 /* Touching from outside and from inside, exactly or within rounding of double and of float. */
 
 static void draw_contacts(random_source *r, batch_f64 *batch, double size)
 {
     for (int k = 0; k < BATCH_F64; k++)
-        contact_f64(r, &batch->box, size, batch->u[k]);
+        draw_contact(r, &batch->box, size, batch->u[k]);
 }
 
 static void nudge_all(random_source *r, batch_f64 *batch, int most)
 {
     for (int k = 0; k < BATCH_F64; k++)
-        nudge_f64(r, batch->u[k], most);
+        nudge(r, batch->u[k], most);
 }
 
 /* Contact that is exact where a vertex touches; elsewhere as near as doubles come. */
 static void draw_touching(random_source *r, batch_f64 *batch)
 {
-    batch->box = box_f64_about_zero(r, 0.1, 1);
+    batch->box = box_about_zero(r, 0.1, 1);
     draw_contacts(r, batch, ldexp(1, random_int_between(r, -3, 3)));
 }
 
@@ -39,20 +227,20 @@ static void draw_float_ulp(random_source *r, batch_f64 *batch)
     const double by = ldexp(1, random_int_between(r, -30, -21));
     draw_touching(r, batch);
     for (int k = 0; k < BATCH_F64; k++)
-        shift_f64(r, batch->u[k], 20, by);
+        shift(r, batch->u[k], 20, by);
 }
 
 /* An edge of a few units of the last place. */
 static void draw_needles(random_source *r, batch_f64 *batch)
 {
-    batch->box = box_f64_about_zero(r, 0.01, 1);
+    batch->box = box_about_zero(r, 0.01, 1);
     for (int k = 0; k < BATCH_F64; k++) {
         double(*const u)[3] = batch->u[k];
-        contact_f64(r, &batch->box, 2, u);
+        draw_contact(r, &batch->box, 2, u);
         const int j = random_int(r, 3);
         for (int a = 0; a < 3; a++)
-            u[(j + 1) % 3][a] = stepped_f64(u[j][a], random_int_between(r, -4, 4));
-        nudge_f64(r, u, 3);
+            u[(j + 1) % 3][a] = stepped(u[j][a], random_int_between(r, -4, 4));
+        nudge(r, u, 3);
     }
 }
 
@@ -67,13 +255,13 @@ static void draw_scaled(random_source *r, batch_f64 *batch)
         exponent[a] = random_int_between(r, -30, 30);
         offset[a] = offsets[random_int(r, 7)];
     }
-    place_f64(batch, exponent, offset);
+    place(batch, exponent, offset);
 }
 
 /* Triangles of any size that touch with numbers of full length. */
 static void draw_rotated(random_source *r, batch_f64 *batch)
 {
-    batch->box = box_f64_about_zero(r, 0.01, 1);
+    batch->box = box_about_zero(r, 0.01, 1);
     draw_contacts(r, batch, ldexp(1, -random_int(r, 24)) / 3);
     nudge_all(r, batch, 3);
 }
@@ -81,17 +269,17 @@ static void draw_rotated(random_source *r, batch_f64 *batch)
 /* Through a corner, so that most enter the box. */
 static void draw_corners(random_source *r, batch_f64 *batch)
 {
-    batch->box = box_f64_about_zero(r, 0.01, 1);
+    batch->box = box_about_zero(r, 0.01, 1);
     for (int k = 0; k < BATCH_F64; k++) {
-        through_corner_f64(r, &batch->box, 2, batch->u[k]);
-        nudge_f64(r, batch->u[k], 3);
+        draw_through_corner(r, &batch->box, 2, batch->u[k]);
+        nudge(r, batch->u[k], 3);
     }
 }
 
 /* Triangles so large that the box is as a point, as far as there still are floats. */
 static void draw_big_triangles(random_source *r, batch_f64 *batch)
 {
-    batch->box = box_f64_about_zero(r, 0.1, 1);
+    batch->box = box_about_zero(r, 0.1, 1);
     draw_contacts(r, batch, ldexp(1, random_int_between(r, 10, 60)));
     nudge_all(r, batch, 3);
 }
@@ -100,8 +288,8 @@ static void draw_big_triangles(random_source *r, batch_f64 *batch)
 static void draw_big_boxes(random_source *r, batch_f64 *batch)
 {
     const int exponent = random_int_between(r, 5, 40);
-    batch->box = box_f64_about_zero(r, 0.5, 1);
-    place_f64(batch, (const int[]){exponent, exponent - random_int(r, 5), exponent}, (const double[]){0, 0, 0});
+    batch->box = box_about_zero(r, 0.5, 1);
+    place(batch, (const int[]){exponent, exponent - random_int(r, 5), exponent}, (const double[]){0, 0, 0});
     draw_contacts(r, batch, ldexp(1, -random_int(r, 20)));
     nudge_all(r, batch, 3);
 }
@@ -184,7 +372,7 @@ static void draw_far_lattice(random_source *r, batch_f64 *batch)
         offset[a] = random_int(r, 2) ? offset[a] : -offset[a];
     }
     draw_on_lattice(r, batch, 0, 1, -9, 9);
-    place_f64(batch, exponent, offset);
+    place(batch, exponent, offset);
 }
 
 static void draw_tenths(random_source *r, batch_f64 *batch)
@@ -250,7 +438,7 @@ static void draw_degenerate(random_source *r, batch_f64 *batch)
 /* One to three sides of no length, now and then less than none. */
 static void draw_flat(random_source *r, batch_f64 *batch)
 {
-    batch->box = box_f64_about_zero(r, 0.01, 1);
+    batch->box = box_about_zero(r, 0.01, 1);
     const int first = random_int(r, 3), sides = random_int_between(r, 1, 3);
     for (int k = 0; k < sides; k++) {
         const int a = (first + k) % 3;
@@ -258,9 +446,9 @@ static void draw_flat(random_source *r, batch_f64 *batch)
         batch->box.hi[a] = batch->box.lo[a];
     }
     for (int k = 0; k < BATCH_F64; k++) {
-        contact_f64(r, &batch->box, 2, batch->u[k]);
+        draw_contact(r, &batch->box, 2, batch->u[k]);
         if (k % 2)
-            nudge_f64(r, batch->u[k], 3);
+            nudge(r, batch->u[k], 3);
     }
     if (!random_int(r, 10))
         batch->box.hi[first] = nextafter(batch->box.lo[first], -1);
@@ -272,11 +460,11 @@ static void make_thin(random_source *r, batch_f64 *batch)
     const int thin = random_int(r, 3),
               exponent = random_int(r, 5) ? random_int_between(r, -25, -16) : random_int_between(r, -70, -26);
     int exponents[3] = {0, 0, 0};
-    batch->box = box_f64_about_zero(r, 0.3, 1);
+    batch->box = box_about_zero(r, 0.3, 1);
     exponents[thin] = exponent;
     if (!random_int(r, 4))
         exponents[(thin + 1) % 3] = exponent + random_int_between(r, -2, 2);
-    place_f64(batch, exponents, (const double[]){0, 0, 0});
+    place(batch, exponents, (const double[]){0, 0, 0});
 }
 
 /* Somewhere, in some unit. */
@@ -284,7 +472,7 @@ static void move_away(random_source *r, batch_f64 *batch)
 {
     const int exponent = random_int_between(r, -12, 12);
     const double offset = random_int(r, 2) ? random_double(r, -1e4, 1e4) : 0;
-    place_f64(batch, (const int[]){exponent, exponent, exponent}, (const double[]){offset, -offset, offset});
+    place(batch, (const int[]){exponent, exponent, exponent}, (const double[]){offset, -offset, offset});
 }
 
 static void draw_thin(random_source *r, batch_f64 *batch)
@@ -292,9 +480,9 @@ static void draw_thin(random_source *r, batch_f64 *batch)
     make_thin(r, batch);
     const double size = ldexp(1, random_int_between(r, -4, 3)), by = ldexp(1, random_int_between(r, -50, -20));
     for (int k = 0; k < BATCH_F64; k++) {
-        contact_f64(r, &batch->box, size, batch->u[k]);
+        draw_contact(r, &batch->box, size, batch->u[k]);
         if (k % 2)
-            shift_f64(r, batch->u[k], 9, by);
+            shift(r, batch->u[k], 9, by);
     }
     move_away(r, batch);
 }
@@ -306,7 +494,7 @@ static void draw_thin_faces(random_source *r, batch_f64 *batch)
     const double by = ldexp(1, random_int_between(r, -50, -20));
     for (int k = 0; k < BATCH_F64; k++) {
         double(*const u)[3] = batch->u[k];
-        through_corner_f64(r, &batch->box, 1, u);
+        draw_through_corner(r, &batch->box, 1, u);
         for (int a = 0; a < 3; a++)
             if (batch->box.hi[a] - batch->box.lo[a] < 1e-3)
                 for (int j = 0; j < 3; j++) {
@@ -323,21 +511,21 @@ static void draw_sides(random_source *r, batch_f64 *batch)
     static const int ends[] = {-36, -36, 36, 36, 0};
     const int usual = ends[random_int(r, 5)];
     int exponent[3];
-    batch->box = box_f64_about_zero(r, 0.4, 0.6);
+    batch->box = box_about_zero(r, 0.4, 0.6);
     for (int a = 0; a < 3; a++) {
         exponent[a] = random_int(r, 3) ? usual : ends[random_int(r, 5)];
         exponent[a] += random_int_between(r, -1, 1);
         if (random_int(r, 2)) {
             batch->box.lo[a] = -random_int(r, 2);
-            batch->box.hi[a] = stepped_f64(batch->box.lo[a] + 1, random_int_between(r, -2, 2));
+            batch->box.hi[a] = stepped(batch->box.lo[a] + 1, random_int_between(r, -2, 2));
         }
     }
     for (int k = 0; k < BATCH_F64; k++) {
-        contact_f64(r, &batch->box, 2, batch->u[k]);
+        draw_contact(r, &batch->box, 2, batch->u[k]);
         if (k % 2)
-            shift_f64(r, batch->u[k], 9, k % 4 == 1 ? 0x1p-24 : 0x1p-52);
+            shift(r, batch->u[k], 9, k % 4 == 1 ? 0x1p-24 : 0x1p-52);
     }
-    place_f64(batch, exponent, (const double[]){0, 0, 0});
+    place(batch, exponent, (const double[]){0, 0, 0});
 }
 
 static double any_sign(random_source *r, double x) { return random_int(r, 2) ? x : -x; }
@@ -348,7 +536,7 @@ static double beside(random_source *r, double face)
     case 0:
         return face;
     case 1:
-        return stepped_f64(face, random_int_between(r, -3, 3));
+        return stepped(face, random_int_between(r, -3, 3));
     case 2:
         return face + any_sign(r, ldexp(1, -random_int_between(r, 18, 54)));
     default:
@@ -410,7 +598,7 @@ static void draw_beside_faces(random_source *r, batch_f64 *batch)
 /* Steep triangles that stand on a face with one vertex, or hang just off it: no axis but the normal of the face can tell. */
 static void draw_standing(random_source *r, batch_f64 *batch)
 {
-    batch->box = box_f64_about_zero(r, 0.5, 1);
+    batch->box = box_about_zero(r, 0.5, 1);
     for (int k = 0; k < BATCH_F64; k++) {
         const int a = random_int(r, 3), is_hi = random_int(r, 4), steps = random_int_between(r, -1, 2);
         const double face = is_hi ? batch->box.hi[a] : batch->box.lo[a], off = ldexp(steps, -random_int_between(r, 22, 53));
@@ -427,11 +615,11 @@ static void draw_standing(random_source *r, batch_f64 *batch)
 /* Vertices so far out that their cubes, or they themselves, are no floats. */
 static void draw_wild(random_source *r, batch_f64 *batch)
 {
-    batch->box = box_f64_about_zero(r, 0.1, 1);
+    batch->box = box_about_zero(r, 0.1, 1);
     const int exponent = random_int_between(r, 30, 140);
     for (int k = 0; k < BATCH_F64; k++) {
         double(*const u)[3] = batch->u[k];
-        contact_f64(r, &batch->box, 2, u);
+        draw_contact(r, &batch->box, 2, u);
         const int j = random_int(r, 3);
         for (int a = 0; a < 3; a++) {
             const double from = u[j][a];
@@ -439,7 +627,7 @@ static void draw_wild(random_source *r, batch_f64 *batch)
                 if (k % 3 == 0 || v == (j + 1) % 3)
                     u[v][a] = from + ldexp(u[v][a] - from, exponent);
         }
-        nudge_f64(r, u, 2);
+        nudge(r, u, 2);
     }
 }
 
@@ -505,7 +693,7 @@ static double greatest_or_few(random_source *r)
 static void draw_overflow(random_source *r, batch_f64 *batch)
 {
     if (random_int(r, 2))
-        batch->box = box_f64_about_zero(r, 0.5, 2);
+        batch->box = box_about_zero(r, 0.5, 2);
     else
         draw_bounds(r, batch, greatest_or_few);
     draw_numbers(r, batch, greatest_or_few);
@@ -518,7 +706,7 @@ static void draw_in_units(random_source *r, batch_f64 *batch, int least, int mos
     for (int a = 0; a < 3; a++)
         exponent[a] = random_int_between(r, least, most);
     draw_touching_ulp(r, batch);
-    place_f64(batch, exponent, (const double[]){0, 0, 0});
+    place(batch, exponent, (const double[]){0, 0, 0});
 }
 
 static void draw_units(random_source *r, batch_f64 *batch)
@@ -541,7 +729,7 @@ static double nasty_number(random_source *r)
                                      0x1p-540, 0x1p-380, 0x1p24,    0x1p53,   3,        1.5};
     const double number = numbers[random_int(r, sizeof numbers / sizeof numbers[0])];
     const int steps = number < DBL_MAX ? random_int_between(r, -1, 1) : 0;
-    return stepped_f64(random_int(r, 2) ? number : -number, steps);
+    return stepped(random_int(r, 2) ? number : -number, steps);
 }
 
 static void draw_nasty(random_source *r, batch_f64 *batch)
@@ -612,7 +800,7 @@ static void repeat(random_source *r, double u[3][3], batch_f64 *batch)
 static void extend(random_source *r, tribox_box *box, int a, double P, double m)
 {
     const double length = ldexp(random_double(r, 0, 1), -random_int(r, 40)), end = m > 0 ? P + length : P - length;
-    const double near = stepped_f64(P, random_int(r, 2) ? 0 : random_int_between(r, -3, 3));
+    const double near = stepped(P, random_int(r, 2) ? 0 : random_int_between(r, -3, 3));
     box->lo[a] = fmin(near, end);
     box->hi[a] = fmax(near, end);
 }
@@ -664,12 +852,8 @@ static void draw_float_faces(random_source *r, batch_f64 *batch)
     point_between(r, u, random_int(r, 3), random_double(r, 0, 1), P);
     for (int a = 0; a < 3; a++) {
         const double next = stepped_float(P[a], 1), on = u[random_int(r, 3)][a];
-        const double bound[] = {P[a],
-                                on,
-                                stepped_f64(on, random_int_between(r, -2, 2)),
-                                P[a] / 2 + next / 2,
-                                stepped_f64(P[a], 1),
-                                random_double(r, -1, 1)};
+        const double bound[] = {
+            P[a], on, stepped(on, random_int_between(r, -2, 2)), P[a] / 2 + next / 2, stepped(P[a], 1), random_double(r, -1, 1)};
         const double p = bound[random_int(r, 6)], q = bound[random_int(r, 6)];
         batch->box.lo[a] = fmin(p, q);
         batch->box.hi[a] = fmax(p, q);
