@@ -152,13 +152,10 @@ static void check_kernels(const pair_list *q)
 /* Many vertices of the lattice lie on the faces of the box. */
 static pair_list draw_lattice(random_source *r, const tribox_box *box, size_t count)
 {
-    pair_list q = {.count = count, .box = box};
-    for (int s = 0; s < SOUP_STREAMS; s++) {
-        q.stream[s] = numbers.stream[s];
+    for (int s = 0; s < SOUP_STREAMS; s++)
         for (size_t i = 0; i < count; i++)
             numbers.stream[s][i] = random_sign_of_zero(r, 0.5f * (float)random_int_between(r, i % 3 ? -2 : -4, i % 3 ? 2 : 4));
-    }
-    return q;
+    return pairs_over(&numbers, count, box, NULL);
 }
 
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
@@ -251,23 +248,19 @@ CASE(test_each_comparison)
     for (size_t b = 0; b < sizeof special / sizeof special[0]; b++)
         for (size_t spread = 1; spread <= 5; spread++) {
             const tribox_box *const box = &special[b];
-            pair_list q = {.count = COUNT * spread, .box = box};
-            for (int s = 0; s < SOUP_STREAMS; s++) {
-                q.stream[s] = numbers.stream[s];
+            const pair_list q = pairs_over(&numbers, COUNT * spread, box, NULL);
+            for (int s = 0; s < SOUP_STREAMS; s++)
                 for (size_t i = 0; i < q.count; i++) {
                     const double bound = random_int(&r, 2) ? box->lo[s / 3] : box->hi[s / 3];
                     numbers.stream[s][i] = random_sign_of_zero(&r, (float)bound);
                 }
-            }
             for (size_t c = 0; c < 18 * KINDS; c++) {
                 const size_t s = c % 9, side = c / 9 % 2, kind = c / 18;
                 const float ulp = side ? nextafterf((float)box->hi[s / 3], INFINITY) : nextafterf((float)box->lo[s / 3], -INFINITY);
                 const float beside[KINDS] = {ulp, side ? INFINITY : -INFINITY, NAN, -NAN};
                 numbers.stream[s][c * spread + c % spread] = beside[kind];
             }
-            for (int k = 0; k < kernels; k++)
-                for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
-                    check(&q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
+            check_kernels(&q);
         }
 }
 
@@ -277,13 +270,7 @@ static void put(size_t i, float x)
         numbers.stream[s][i] = s < 3 ? x : 0;
 }
 
-static pair_list soup_of(size_t count)
-{
-    pair_list q = {.count = count, .box = &cube};
-    for (int s = 0; s < SOUP_STREAMS; s++)
-        q.stream[s] = numbers.stream[s];
-    return q;
-}
+static pair_list soup_of(size_t count) { return pairs_over(&numbers, count, &cube, NULL); }
 
 /* One triangle that differs from all others, at every place of short soups and about every power of two of long ones. */
 static void check_one_unlike(float usual, float other)

@@ -4,16 +4,17 @@
 
 #include "common/contact.h"
 
-static pair_list pairs_over(const drawn_numbers *numbers, bool is_soup, size_t count)
+pair_list pairs_over(const drawn_numbers *numbers, size_t count, const tribox_box *box, const float (*triangle)[3])
 {
-    pair_list q = {.count = count};
+    pair_list q = {.count = count, .box = box, .triangle = triangle};
     for (int s = 0; s < SOUP_STREAMS; s++)
         q.stream[s] = numbers->stream[s];
-    if (is_soup)
-        q.box = &numbers->box;
-    else
-        q.triangle = numbers->triangle;
     return q;
+}
+
+static pair_list drawn_over(const drawn_numbers *numbers, bool is_soup, size_t count)
+{
+    return pairs_over(numbers, count, is_soup ? &numbers->box : NULL, is_soup ? NULL : numbers->triangle);
 }
 
 static void put_triangle(drawn_numbers *numbers, size_t i, float u[3][3])
@@ -50,7 +51,7 @@ pair_list draw_pairs(random_source *r, const scene *s, bool is_soup, drawn_numbe
             put_triangle(numbers, i, batch.u[i]);
         else
             put_box(r, numbers, i, &batch.box);
-    return pairs_over(numbers, is_soup, SCENE_TRIANGLES);
+    return drawn_over(numbers, is_soup, SCENE_TRIANGLES);
 }
 
 pair_list draw_distinct_lanes(random_source *r, bool is_soup, drawn_numbers *numbers)
@@ -75,5 +76,5 @@ pair_list draw_distinct_lanes(random_source *r, bool is_soup, drawn_numbers *num
             }
         }
     }
-    return pairs_over(numbers, is_soup, DRAWN_MAX);
+    return drawn_over(numbers, is_soup, DRAWN_MAX);
 }

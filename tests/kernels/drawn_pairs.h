@@ -14,6 +14,9 @@ typedef struct drawn_numbers {
     float triangle[3][3];
 } drawn_numbers;
 
+/* The first numbers as a soup beside a box; or those for boxes, if it is NULL, beside a triangle. */
+pair_list pairs_over(const drawn_numbers *numbers, size_t count, const tribox_box *box, const float (*triangle)[3]);
+
 /* One batch of a scene: its triangles against its box, or one of its triangles against boxes made from its box. */
 pair_list draw_pairs(random_source *r, const scene *s, bool is_soup, drawn_numbers *numbers);
 

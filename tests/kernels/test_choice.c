@@ -237,9 +237,7 @@ CASE(test_answers)
         random_source r = random_named(args.seed, s->name);
         draw_changing(&r, s, i % 3 ? DRAWN_MAX / 2 : 0);
         for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
-            pair_list q = {.count = counts[c], .box = &numbers.box};
-            for (int k = 0; k < SOUP_STREAMS; k++)
-                q.stream[k] = numbers.stream[k];
+            const pair_list q = pairs_over(&numbers, counts[c], &numbers.box, NULL);
             for (int k = 0; k < kernels; k++)
                 for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
                     const tribox_options found = {.accuracy = accuracy, .kernel = names[k]};
