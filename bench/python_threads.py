@@ -6,21 +6,16 @@ of which runs one thread and two in turn: voxelize for grids of a growing resolu
 
 import argparse
 import os
+import sys
 import time
 
 import numpy as np
 import tribox
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "peers"))
+import asked  # noqa: E402
+
 RESOLUTIONS = 16, 64, 128, 256, 512, 1024
-
-
-def mesh_of(path):
-    with open(path, "rb") as file:
-        head, _, rest = file.read().partition(b"end_header\n")
-    words = head.decode().split()
-    vertices, faces = (int(words[words.index(name) + 1]) for name in ("vertex", "face"))
-    points = np.frombuffer(rest, "<f4", 3 * vertices).reshape(-1, 3)
-    return tribox.Mesh(points, np.frombuffer(rest, [("three", "u1"), ("of", "<i4", 3)], faces, points.nbytes)["of"].copy())
 
 
 def calls(mesh):
@@ -40,7 +35,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=9)
     options = parser.parse_args()
     for path in options.meshes:
-        for name, call in calls(mesh_of(path)):
+        for name, call in calls(tribox.Mesh(*asked.read(path))):
             least = {1: float("inf"), 2: float("inf")}
             for _ in range(options.rounds):
                 for threads in least:

@@ -13,33 +13,18 @@ HEAD = ["ply", "format binary_little_endian 1.0", "element vertex", *("property 
 Timed = collections.namedtuple("Timed", "cpu wall")  # the answer of a peer that times itself, in seconds
 
 
-def read_ply(path, data):
-    head, _, rest = data.partition(b"end_header\n")
-    lines = [line for line in head.decode("latin-1").splitlines() if not line.startswith("comment")]
-    vertices, faces = (int(line.split()[2]) for line in lines if line.startswith("element "))
-    if [line.rpartition(" ")[0] if line.startswith("element") else line for line in lines] != HEAD:
-        raise SystemExit(f"{path}: give a PLY file with a head of these lines: {', '.join(HEAD)}")
-    rows = np.frombuffer(rest, FACE, faces, 12 * vertices)
-    return np.frombuffer(rest, "<f4", 3 * vertices).reshape(-1, 3), rows["face"], rows["corners"]
-
-
-def read_obj(data):
-    """Of faces that are all triangles, or all quads."""
-    words = [line.split() for line in data.decode().splitlines()]
-    vertices, faces = ([word[1:] for word in words if word[0] == kind] for kind in "vf")
-    faces = np.array(faces, np.uint32) - 1
-    faces = np.concatenate([faces[:, [0, k, k + 1]] for k in range(1, faces.shape[1] - 1)])
-    return np.array(vertices, np.float32), faces, np.full(len(faces), 3)
-
-
 def read(path):
     """(vertices, faces)"""
     with open(path, "rb") as file:
-        data = file.read()
-    vertices, faces, corners = read_ply(path, data) if data.startswith(b"ply") else read_obj(data)
-    if (corners != 3).any():
+        head, _, rest = file.read().partition(b"end_header\n")
+    lines = [line for line in head.decode("latin-1").splitlines() if not line.startswith("comment")]
+    if [line.rpartition(" ")[0] if line.startswith("element") else line for line in lines] != HEAD:
+        raise SystemExit(f"{path}: give a PLY file with a head of these lines: {', '.join(HEAD)}")
+    vertices, faces = (int(line.split()[2]) for line in lines if line.startswith("element "))
+    rows = np.frombuffer(rest, FACE, faces, 12 * vertices)
+    if (rows["corners"] != 3).any():
         raise SystemExit(f"{path}: has faces that are no triangles")
-    return vertices, np.ascontiguousarray(faces)
+    return np.frombuffer(rest, "<f4", 3 * vertices).reshape(-1, 3), np.ascontiguousarray(rows["face"])
 
 
 class Task:

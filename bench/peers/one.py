@@ -3,7 +3,6 @@
 It is a process of its own, on one processor, so that a peer may crash, or be ended. No round begins after SECONDS.
 """
 
-import importlib
 import json
 import os
 import sys
@@ -59,14 +58,15 @@ def ask(ways, question, mesh, cells, rounds, seconds):
 
 
 import asked  # noqa: E402
+import peers  # noqa: E402
 
 try:
-    peer = importlib.import_module("peer_" + sys.argv[1])
+    title, answers = getattr(peers, sys.argv[1])()
 except ImportError as error:
     say(absent=str(error))
 else:
-    say(name=peer.NAME)
+    say(name=title)
     if len(sys.argv) > 2:
-        ask(peer.WAYS, *sys.argv[2:])
+        ask(answers, *sys.argv[2:])
     else:
-        say(questions=list(peer.WAYS), kernel=asked.tribox.kernel_name())
+        say(questions=list(answers), kernel=asked.tribox.kernel_name())

@@ -11,12 +11,11 @@ import math
 import os
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import threading
-
-import programs
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PEERS = {
@@ -41,7 +40,7 @@ def options():
             ("--limit", 60, "seconds until a peer is ended; without it 60"),
             ("--json", None, "a file for all figures")):
         parser.add_argument(name, default=default, type=type(default) if default else str, help=text)
-    parser.add_argument("meshes", metavar="MESH", nargs="*", help="a binary PLY file of triangles; else the knot of bench/voxels")
+    parser.add_argument("meshes", metavar="MESH", nargs="*", help="a binary PLY file of triangles; else the knot of tribox demo")
     o = parser.parse_args()
     o.cells, o.peers = sorted(map(int, o.cells.split(","))), o.peers.split(",")
     o.questions = o.questions.split(",") if o.questions else None
@@ -85,6 +84,36 @@ def answers(peer, questions, path, o):
             yield row
             if row.get("is_over") or "failed" in row:
                 break
+
+
+def voxels(build, path, cells):
+    """Voxelizers in float."""
+    command = [os.path.join(build, "bench", "tribox-bench"), "voxels", "--no-scenes", "--json", "--limit", "1", "--rounds", "5",
+               "--cells", ",".join(map(str, cells)), path]
+    for table, n in zip(json.loads(subprocess.check_output(command))["tables"], cells):
+        rows = {row["contestant"]: row for row in table["rows"]}
+        ours, theirs = (rows[name]["ns_a_triangle"] * rows[name]["triangles"] / 1e9 for name in ("exact", "Schwarz-Seidel"))
+        yield {"peer": "Schwarz and Seidel 2010, in float", "question": "surface", "cells": n, "way": "bench/voxels",
+               "ours": [ours] * 2, "theirs": [theirs] * 2, "of": rows["exact"]["set"],
+               "unlike": rows["Schwarz-Seidel"]["cells_unlike"] or 0}
+
+
+def trees(build, path, _):
+    """Lists of the triangles in boxes, 0.1 to 50 % of the mesh."""
+    command = [os.path.join(build, "tests", "peers", "peers"), "--boxes", "10", "--rounds", "3", "--json", path]
+    times, answers, *_ = (table["rows"] for table in json.loads(subprocess.check_output(command))["tables"])
+    us = {(row["contestant"], row["box_%"]): row["us"] for row in times}
+    for peer in answers:
+        agreement = {"of": peer["all_hits"], "missed": peer["missing"], "extra": peer["extra"]}  # over all sizes
+        for part in [part for name, part in us if name == peer["peer"]]:
+            ours, theirs = us["list", part] / 1e6, us[peer["peer"], part] / 1e6
+            yield {"peer": peer["peer"], "question": "boxes of 0.1 to 50 %", "cells": 0, "way": f"tests/peers, {part:g} %",
+                   "ours": [ours] * 2, "theirs": [theirs] * 2, **agreement}
+            agreement = {}
+
+
+SETUP = "meson setup DIR -Dbuildtype=release -Dtests=enabled -Dpeers=enabled; meson compile -C DIR; then --build DIR"
+PROGRAMS = {os.path.join("bench", "tribox-bench"): voxels, os.path.join("tests", "peers", "peers"): trees}
 
 
 def factor(row):
@@ -143,9 +172,24 @@ def head(kernel):
 
 
 def knot(folder):
-    path = os.path.join(folder, "knot.obj")
-    with open(path, "w", encoding="utf-8") as file:
-        subprocess.run([sys.executable, os.path.join(HERE, "..", "voxels", "knot.py")], stdout=file, check=True)
+    """That of tribox demo (knot_point of tools/cmd_demo.c)."""
+    path, rings, corners, radius, swing, tube = os.path.join(folder, "knot.ply"), 400, 60, 2, 0.85, 0.42
+    with open(path, "wb") as file:
+        file.write(("ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+                    "property float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n" %
+                    (rings * corners, 2 * rings * corners)).encode())
+        for ring, corner in itertools.product(range(rings), range(corners)):
+            t, turn = 2 * math.pi * ring / rings, 2 * math.pi * corner / corners
+            cp, sp, cq, sq = math.cos(2 * t), math.sin(2 * t), math.cos(3 * t), math.sin(3 * t)
+            rho = radius + swing * cq
+            center, outward = (rho * cp, rho * sp, swing * sq), (cq * cp, cq * sp, sq)
+            along = (-3 * swing * sq * cp - 2 * rho * sp, -3 * swing * sq * sp + 2 * rho * cp, 3 * swing * cq)
+            sideward = [(along[a - 2] * outward[a - 1] - along[a - 1] * outward[a - 2]) / math.hypot(*along) for a in range(3)]
+            file.write(struct.pack("<3f", *(center[a] + tube * (math.cos(turn) * outward[a] + math.sin(turn) * sideward[a])
+                                            for a in range(3))))
+        for ring, corner in itertools.product(range(rings), range(corners)):
+            a, b, c, d = ((ring + i) % rings * corners + (corner + j) % corners for i, j in ((0, 0), (1, 0), (1, 1), (0, 1)))
+            file.write(struct.pack("<B3IB3I", 3, a, b, c, 3, a, c, d))
     return path
 
 
@@ -159,9 +203,9 @@ def main():
             print(f"{peer}: not here ({said['absent']}): {PEERS[peer]}")
         else:
             return f"{peer}: {said['failed']}"
-    built = programs.PROGRAMS if "programs" in o.peers else {}
+    built = PROGRAMS if "programs" in o.peers else {}
     for program in [p for p in built if not o.build or not os.path.exists(os.path.join(o.build, p))]:
-        print(f"{program}: not here: {programs.SETUP}")
+        print(f"{program}: not here: {SETUP}")
         built = {name: call for name, call in built.items() if name != program}
     print(*head(kernel), "\nmilliseconds of tribox, of the peer, how many times as long, and how the answers differ\n", sep="\n")
     with tempfile.TemporaryDirectory() as folder:
