@@ -350,81 +350,50 @@ void answer_room_free(answer_room *made)
     free(made->elsewhere);
 }
 
-static tribox_region region_of(const index_question *q, size_t b)
+/* Reports how many overlap; of any, whether there is one, which then stands in number[0]; of words, how many there are. */
+static inline bool ask_form(const index_question *q, index_form form, size_t b, const tribox_options *options,
+                            tribox_report *report)
 {
-    return q->boxes ? (tribox_region){.box = &q->boxes[b]} : (tribox_region){.oriented = &q->turned[b]};
+    const tribox_region region = q->boxes ? (tribox_region){.box = &q->boxes[b]} : (tribox_region){.oriented = &q->turned[b]};
+    const answer_room *const room = q->room;
+    size_t *const found = &report->overlapping;
+    bool is_refused;
+    switch (form) {
+    case FORM_LIST:
+        return !tribox_index_list(q->index, &region, options, q->triangles, room->list, found);
+    case FORM_ANY:
+        is_refused = tribox_index_any(q->index, &region, options, found);
+        room->number[0] = (uint32_t)*found;
+        *found = *found < q->triangles;
+        return !is_refused;
+    case FORM_WORDS:
+        return !tribox_index_words(q->index, &region, options, tribox_mask_words(q->triangles), room->number, room->bits, NULL,
+                                   found, NULL);
+    case FORM_LINEAR:
+        return !(!q->boxes ? tribox_overlap_oriented(q->soup, region.oriented, options, room->linear, report)
+                 : q->soup ? tribox_overlap(q->soup, region.box, options, room->linear, report)
+                           : tribox_mesh_overlap(q->mesh, region.box, options, room->linear, report));
+    default:
+        return !tribox_index_overlap(q->index, &region, options, form == FORM_MASK ? room->mask : NULL, report);
+    }
 }
-
-static bool ask_list(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
-{
-    const tribox_region region = region_of(q, b);
-    return !tribox_index_list(q->index, &region, options, q->triangles, q->room->list, &report->overlapping);
-}
-
-static bool ask_count(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
-{
-    const tribox_region region = region_of(q, b);
-    return !tribox_index_overlap(q->index, &region, options, NULL, report);
-}
-
-/* Counts whether there is one; which it is stands in number[0]. */
-static bool ask_any(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
-{
-    const tribox_region region = region_of(q, b);
-    size_t triangle;
-    const bool is_answered = !tribox_index_any(q->index, &region, options, &triangle);
-    q->room->number[0] = (uint32_t)triangle;
-    report->overlapping = triangle < q->triangles;
-    return is_answered;
-}
-
-/* Counts words. */
-static bool ask_words(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
-{
-    const tribox_region region = region_of(q, b);
-    return !tribox_index_words(q->index, &region, options, tribox_mask_words(q->triangles), q->room->number, q->room->bits, NULL,
-                               &report->overlapping, NULL);
-}
-
-static bool ask_mask(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
-{
-    const tribox_region region = region_of(q, b);
-    return !tribox_index_overlap(q->index, &region, options, q->room->mask, report);
-}
-
-static bool ask_linear(const index_question *q, size_t b, const tribox_options *options, tribox_report *report)
-{
-    uint64_t *const mask = q->room->linear;
-    return !(!q->boxes ? tribox_overlap_oriented(q->soup, &q->turned[b], options, mask, report)
-             : q->soup ? tribox_overlap(q->soup, &q->boxes[b], options, mask, report)
-                       : tribox_mesh_overlap(q->mesh, &q->boxes[b], options, mask, report));
-}
-
-typedef bool ask_form(const index_question *q, size_t b, const tribox_options *options, tribox_report *report);
 
 /* contestant.pairs: boxes. */
-static inline bool run_form(const contestant *self, ask_form *ask)
+static inline bool run_form(const contestant *self, index_form form)
 {
     tribox_report one;
     for (size_t b = 0; b < (size_t)self->pairs; b++)
-        if (!ask(self->question, b, &self->options, &one))
+        if (!ask_form(self->question, form, b, &self->options, &one))
             return false;
     return true;
 }
 
-#define RUN(form) \
-    static bool run_##form(const contestant *self, uint64_t *mask, tribox_report *report) \
-    { \
-        (void)mask; \
-        (void)report; \
-        return run_form(self, ask_##form); \
-    }
-RUN(list)
-RUN(count)
-RUN(any)
-RUN(words)
-RUN(mask)
-RUN(linear)
+CONTESTANT_RUN(run_list) { return run_form(self, FORM_LIST); }
+CONTESTANT_RUN(run_count) { return run_form(self, FORM_COUNT); }
+CONTESTANT_RUN(run_any) { return run_form(self, FORM_ANY); }
+CONTESTANT_RUN(run_words) { return run_form(self, FORM_WORDS); }
+CONTESTANT_RUN(run_mask) { return run_form(self, FORM_MASK); }
+CONTESTANT_RUN(run_linear) { return run_form(self, FORM_LINEAR); }
 
 void index_warm_up(const contestant *self, uint64_t *mask) { self->run(self, mask, NULL); }
 
@@ -450,7 +419,7 @@ double index_hits(const index_question *q, const char *kernel)
     double hits = 0;
     for (size_t b = 0; b < q->count; b++) {
         tribox_report one = {0, 0};
-        ask_count(q, b, &(tribox_options){.kernel = kernel}, &one);
+        ask_form(q, FORM_COUNT, b, &(tribox_options){.kernel = kernel}, &one);
         hits += (double)one.overlapping;
     }
     return hits / (double)q->count;
@@ -463,58 +432,47 @@ static bool is_list_right(const index_question *q, size_t found)
 {
     size_t at = 0;
     for (size_t i = 0; i < q->triangles; i++)
-        if (is_set(q->room->linear, i)) {
-            if (at == found || q->room->list[at] != (q->ids ? q->ids[i] : (uint32_t)i))
-                return false;
-            at++;
-        }
+        if (is_set(q->room->linear, i) && (at == found || q->room->list[at++] != (q->ids ? q->ids[i] : (uint32_t)i)))
+            return false;
     return at == found;
 }
 
 static bool are_words_right(const index_question *q, size_t found)
 {
-    const size_t words = tribox_mask_words(q->triangles);
+    const uint64_t *const linear = q->room->linear;
     size_t at = 0;
-    for (size_t w = 0; w < words; w++)
-        if (q->room->linear[w]) {
-            if (at == found || q->room->number[at] != w || q->room->bits[at] != q->room->linear[w])
-                return false;
-            at++;
-        }
+    for (size_t w = 0; w < tribox_mask_words(q->triangles); w++)
+        if (linear[w] && (at == found || q->room->number[at] != w || q->room->bits[at++] != linear[w]))
+            return false;
     return at == found;
 }
 
-/* Forms that are wrong about a box; a refusal is wrong, too. */
-static unsigned find_wrong(const index_question *q, size_t b, const tribox_options *options)
+/* Whether a form says of a box what the call without an index has just said; a refusal is wrong, too. */
+static bool is_form_right(const index_question *q, index_form form, size_t b, const tribox_options *options, size_t overlapping)
 {
-    const size_t words = tribox_mask_words(q->triangles);
-    tribox_report linear, mask, count, list, found, any;
-    unsigned wrong = 0;
-    if (!ask_linear(q, b, options, &linear))
-        return 1u << FORM_LINEAR;
-    memset(q->room->mask, 0xff, words * sizeof *q->room->mask);
-    if (!ask_mask(q, b, options, &mask) || mask.overlapping != linear.overlapping ||
-        memcmp(q->room->mask, q->room->linear, words * sizeof *q->room->mask) != 0)
-        wrong |= 1u << FORM_MASK;
-    if (!ask_count(q, b, options, &count) || count.overlapping != linear.overlapping)
-        wrong |= 1u << FORM_COUNT;
-    if (!ask_list(q, b, options, &list) || list.overlapping != linear.overlapping || !is_list_right(q, list.overlapping))
-        wrong |= 1u << FORM_LIST;
-    if (!ask_words(q, b, options, &found) || !are_words_right(q, found.overlapping))
-        wrong |= 1u << FORM_WORDS;
-    if (!ask_any(q, b, options, &any) || any.overlapping != (linear.overlapping > 0) ||
-        (any.overlapping && !is_set(q->room->linear, q->room->number[0])))
-        wrong |= 1u << FORM_ANY;
-    return wrong;
+    const size_t bytes = tribox_mask_words(q->triangles) * sizeof *q->room->mask;
+    tribox_report own = {0, 0};
+    memset(q->room->mask, 0xff, bytes);
+    if (!ask_form(q, form, b, options, &own))
+        return false;
+    const size_t found = own.overlapping;
+    return form == FORM_ANY     ? found == (overlapping > 0) && (!found || is_set(q->room->linear, q->room->number[0]))
+           : form == FORM_WORDS ? are_words_right(q, found)
+                                : found == overlapping && (form != FORM_LIST || is_list_right(q, found)) &&
+                                      (form != FORM_MASK || !memcmp(q->room->mask, q->room->linear, bytes));
 }
 
 bool index_forms_verify(const index_question *question, size_t boxes, const char *kernel)
 {
+    const tribox_options options = {.kernel = kernel};
     for (size_t b = 0; b < boxes && b < question->count; b++) {
-        const unsigned wrong = find_wrong(question, b, &(tribox_options){.kernel = kernel});
-        for (int f = 0; f < FORMS; f++)
-            if (wrong >> f & 1)
-                return message_failure("%s, box %zu: %s is wrong", question->name, b, names[f]) == EXIT_CODE_OK;
+        tribox_report linear;
+        bool is_right = ask_form(question, FORM_LINEAR, b, &options, &linear);
+        index_form form = FORM_LINEAR;
+        while (is_right && form > FORM_LIST)
+            is_right = is_form_right(question, --form, b, &options, linear.overlapping);
+        if (!is_right)
+            return message_failure("%s, box %zu: %s is wrong", question->name, b, names[form]) == EXIT_CODE_OK;
     }
     return true;
 }
