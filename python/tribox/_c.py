@@ -7,9 +7,9 @@ NULL = ffi.NULL
 REGION = ffi.typeof("tribox_region *")
 
 
-def of_both(name):
-    """The call of this name about whichever is given."""
-    of_soup, of_mesh = getattr(lib, f"tribox_{name}"), getattr(lib, f"tribox_mesh_{name}")
+def of_both(name, soup=""):
+    """The call of this name about whichever is given. soup: what goes before it where that is a soup."""
+    of_soup, of_mesh = getattr(lib, f"tribox_{soup}{name}"), getattr(lib, f"tribox_mesh_{name}")
 
     def call(held_, *arguments):
         return (of_soup if held_.is_soup else of_mesh)(held_.struct, *arguments)
@@ -20,16 +20,7 @@ def of_both(name):
 overlap, overlap_oriented, classify, find, split = map(of_both, ("overlap", "overlap_oriented", "classify", "find", "split"))
 voxelize, voxelize_ids, voxelize_thin = map(of_both, ("voxelize", "voxelize_ids", "voxelize_thin"))
 tile_lists_part, cell_lists, fill_parity = map(of_both, ("tile_lists_part", "cell_lists", "fill_parity"))
-
-
-def sort(held_, order, scratch):
-    call = lib.tribox_soup_sort if held_.is_soup else lib.tribox_mesh_sort
-    return call(held_.struct, order, scratch)
-
-
-def sort_start(held_, first, end, scratch):
-    call = lib.tribox_soup_sort_start if held_.is_soup else lib.tribox_mesh_sort_start
-    return call(held_.struct, first, end - first, scratch)
+sort, sort_start = of_both("sort", "soup_"), of_both("sort_start", "soup_")
 
 
 def gather(held_, order, first, soup):

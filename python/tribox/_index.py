@@ -50,7 +50,8 @@ def sort_by_steps(held_, order, scratch, threads):
         first, end = part
         check_sound(lib.tribox_sort_finish(room, count, first, end - first, numbers))
 
-    status = max(in_threads(threads, lambda part: _c.sort_start(held_, *part, room), cut(count, threads * PARTS_EACH)))
+    parts = cut(count, threads * PARTS_EACH)
+    status = max(in_threads(threads, lambda part: _c.sort_start(held_, part[0], part[1] - part[0], room), parts))
     if not status:
         parts = [(0, count)]
         while len(parts) < threads * PARTS_EACH:  # of SHARED_LEAST triangles, which can all be cut as often
