@@ -148,12 +148,6 @@ void pages_free(void *room, size_t taken)
     free(room);
 }
 
-void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void *data)
-{
-    (void)threads;
-    work(data, 0);
-}
-
 bool crew_turns(unsigned threads, size_t count, bool (*work)(void *data, unsigned thread, size_t n), void *data)
 {
     size_t n = 0;
@@ -161,4 +155,17 @@ bool crew_turns(unsigned threads, size_t count, bool (*work)(void *data, unsigne
     while (n < count && work(data, 0, n))
         n++;
     return n == count;
+}
+
+int crew_do(const crew_work *work, void *data)
+{
+    void *const place = work->begin ? work->begin(data) : data;
+    int code = place ? 0 : MESSAGE_NO_MEMORY;
+    for (size_t n = 0; !code && (work->find ? work->find(data, place, n) : n < work->count); n++) {
+        code = work->step(data, place, n);
+        code = code || !work->tell ? code : work->tell(data, place, n);
+    }
+    if (place && work->end)
+        work->end(place);
+    return code;
 }
