@@ -11,7 +11,7 @@
 #include "console/output.h"
 #include "console/processors.h"
 #include "partition/partition.h"
-#include "read/reading.h"
+#include "read/mesh_file.h"
 #include "voxelize/voxelize_work.h"
 #include "write/file_out.h"
 

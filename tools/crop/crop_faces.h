@@ -35,8 +35,7 @@ static inline bool crop_is_over(const crop *c) { return c->is_changed || c->fail
 void crop_put(crop *c, crop_side side, const void *bytes, size_t size);
 void crop_put_both(crop *c, const void *bytes, size_t size);
 
-/* Each writes all of a mesh file, until crop_is_over. Returns an exit_code, of other failures than that of a write or a change. */
-int crop_records(crop *c, triangle_file *file);
+/* Writes all of a mesh file, until crop_is_over. Returns an exit_code, of other failures than that of a write or a change. */
 int crop_scanned(crop *c, mesh_kind kind);
 
 #endif

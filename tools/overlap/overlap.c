@@ -8,7 +8,7 @@
 #include "console/clock.h"
 #include "console/message.h"
 #include "console/terminal.h"
-#include "read/reading.h"
+#include "read/mesh_file.h"
 #include "report.h"
 
 int masks_make(size_t count, bool wants_inside, masks *bits)

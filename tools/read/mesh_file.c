@@ -10,7 +10,7 @@
 #include "console/message.h"
 #include "files/named_file.h"
 #include "plain.h"
-#include "reading.h"
+#include "mesh_file.h"
 #include "words.h"
 
 /* In pieces, between which it is told how far this is. */

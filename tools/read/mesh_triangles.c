@@ -7,7 +7,7 @@
 #include "console/crew.h"
 #include "console/memory.h"
 #include "console/message.h"
-#include "reading.h"
+#include "mesh_file.h"
 
 /* A regular file that goes into room for all of it. */
 typedef struct reading {

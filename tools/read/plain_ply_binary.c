@@ -11,7 +11,7 @@
 #include "little.h"
 #include "mesh.h"
 #include "plain.h"
-#include "reading.h"
+#include "mesh_file.h"
 
 /* Vertices of floats, and faces of corners of 32 bits, all of them triangles. */
 typedef struct ply_records {

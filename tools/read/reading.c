@@ -1,5 +1,5 @@
 /* reading.c - one bar, which a thread leaves alone while another draws it. */
-#include "reading.h"
+#include "mesh_file.h"
 
 #include <pthread.h>
 #include <stdio.h>

@@ -12,7 +12,7 @@
 #include "console/message.h"
 #include "console/pages.h"
 #include "files/named_file.h"
-#include "reading.h"
+#include "mesh_file.h"
 
 static const char *after_line(const char *from, const char *end)
 {

@@ -14,7 +14,7 @@
 #include "console/pages.h"
 #include "files/named_file.h"
 #include "read/mesh.h"
-#include "read/reading.h"
+#include "read/mesh_file.h"
 
 __attribute__((import_module("page"), import_name("tell"))) void page_tell(double done);
 
