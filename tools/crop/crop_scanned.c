@@ -154,6 +154,24 @@ static void put_states(cropping *k, crop_side side)
     }
 }
 
+/* Those of a run that are kept and follow each other are one write. */
+static void put_vertices(cropping *k, crop_side side)
+{
+    const scan_item *const i = &k->s.item;
+    const kept_numbers *const kept = &k->kept[side][i->which];
+    const uint64_t first = k->s.here[i->which] - i->run, each = (uint64_t)(i->end - i->begin) / i->run;
+    for (uint64_t n = 0, end; n < i->run; n = end) {
+        const bool is_kept = kept_numbers_has(kept, first + n);
+        end = n + 1;
+        while (end < i->run && kept_numbers_has(kept, first + end) == is_kept)
+            end++;
+        if (is_kept)
+            crop_put(k->c, side, i->begin + n * each, (size_t)((end - n) * each));
+    }
+    if (i->run == 1 && kept_numbers_has(kept, first))
+        crop_put(k->c, side, i->after, strlen(i->after));
+}
+
 static void put(cropping *k)
 {
     const scan_item *const i = &k->s.item;
@@ -167,7 +185,9 @@ static void put(cropping *k)
     for (crop_side side = CROP_PART; side < CROP_SIDES && i->kind != SCAN_LEFT_OUT; side++)
         if (i->kind == SCAN_STATE)
             set_state(&k->states[side], i);
-        else if (i->kind != SCAN_VERTEX || kept_numbers_has(&k->kept[side][i->which], k->s.here[i->which] - 1))
+        else if (i->kind == SCAN_VERTEX)
+            put_vertices(k, side);
+        else
             put_item(k, side);
 }
 

@@ -39,6 +39,7 @@ int scan_next(scan *s)
     scan_item *const i = &s->item;
     i->has_colour = false;
     i->corners = i->count = 0;
+    i->run = 1;
     i->gap = i->begin = s->from;
     i->after = "";
     const int code = s->kind == MESH_PLY   ? scan_next_ply(s)

@@ -120,6 +120,7 @@ typedef struct scan_item {
     int which;
     const char *gap;         /* empty lines and comments from here up to the item */
     const char *begin, *end; /* the item, with the end of its line, if it has one that stays */
+    uint64_t run;            /* so many of one size, which are not looked at; else 1 */
     const char *after;       /* a line end, of PLY as text, whose items may lack it; else "" */
     words words;             /* of a line of OBJ, at the first */
     double position[9];      /* of a vertex the first three */
@@ -146,7 +147,7 @@ typedef struct scan {
     int element;                        /* of PLY, which is next */
     uint64_t number;                    /* of these, counted from 0 */
     const char *line_end;               /* of PLY, as its header has it */
-    size_t skipped;                     /* of PLY: the bytes of each item of this element, which is not looked at; else 0 */
+    size_t skipped;                     /* of PLY: the bytes of each item of this element, whose run is one; else 0 */
     bool is_left_out[PLY_ELEMENTS_MAX]; /* of PLY: it refers to vertices, and is no face */
 } scan;
 

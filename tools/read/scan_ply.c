@@ -185,10 +185,12 @@ static int take_record(scan *s)
     }
     for (int i = 0; !code && !s->skipped && i < e->property_count; i++)
         code = take_property(s, &e->properties[i]);
-    s->words.at += s->skipped; /* of all of them the file has the bytes */
+    if (s->skipped)
+        s->item.run = e->count;
+    s->words.at += s->item.run * s->skipped; /* of all of them the file has the bytes */
     s->item.end = s->words.at;
-    s->number++;
-    s->here[SCAN_POSITIONS] += e->kind == PLY_VERTICES;
+    s->number += s->item.run;
+    s->here[SCAN_POSITIONS] += e->kind == PLY_VERTICES ? s->item.run : 0;
     return code;
 }
 
