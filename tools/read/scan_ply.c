@@ -65,7 +65,11 @@ static int take_number(scan *s, ply_type type, double *number, float_fit *fit)
 static int take_count(scan *s, const ply_property *list, uint64_t *count)
 {
     double number = 0;
-    const int code = take_number(s, list->count, &number, &(float_fit){FLOAT_FIT_EXACT});
+    int code = EXIT_CODE_OK;
+    if (!is_text(s) && list->count == PLY_UINT8 && bytes_left(s)) /* the usual one */
+        number = (unsigned char)*s->words.at++;
+    else
+        code = take_number(s, list->count, &number, &(float_fit){FLOAT_FIT_EXACT});
     *count = 0;
     if (code)
         return code;
