@@ -1,6 +1,6 @@
 /*
- * cmd_partition.c - tribox partition: the triangles of a mesh sorted by tiles of a grid, for shards that read their own alone. Lays a
- * grid around meshes, sorts them into its tiles and writes these; or joins partitions; and says so.
+ * cmd_partition.c - tribox partition: the triangles of a mesh sorted by tiles of a grid, for shards that read their own alone. Lays
+ * a grid around meshes, sorts them into its tiles and writes these; or joins partitions; and says so.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "cmd.h"

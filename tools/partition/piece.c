@@ -1,6 +1,6 @@
 /*
- * piece.c - reads triangles by their number, shifts them, and brings floats and doubles to one width. A PLY file is mapped, every so
- * many of its faces are found where they begin, and polygons are cut as the reader of whole files does.
+ * piece.c - reads triangles by their number, shifts them, and brings floats and doubles to one width. A PLY file is mapped, every
+ * so many of its faces are found where they begin, and polygons are cut as the reader of whole files does.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "piece.h"

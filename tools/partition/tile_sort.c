@@ -1,7 +1,7 @@
 /*
- * tile_sort.c - threads take blocks of triangles, look at them, ask the library for their tiles, and make a run of each, which stays in
- * memory as long as there is some and then goes into a nameless file; others take a few tiles at a time, copy what each run has of them
- * to its place in a file; then comes the index.
+ * tile_sort.c - threads take blocks of triangles, look at them, ask the library for their tiles, and make a run of each, which
+ * stays in memory as long as there is some and then goes into a nameless file. Then they take a few tiles at a time and copy what
+ * each run has of them to its place in a file; the index comes last.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "tile_sort.h"

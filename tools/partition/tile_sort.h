@@ -1,4 +1,4 @@
-/* tile_sort.h - a mesh sorted by tile on its way to a partition: runs, each of a block of triangles, and from all runs each tile. */
+/* tile_sort.h - a mesh sorted by tile on its way to a partition: runs, each of a block of triangles, and tiles from all runs. */
 #ifndef TILE_SORT_H
 #define TILE_SORT_H
 

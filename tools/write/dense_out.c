@@ -1,6 +1,6 @@
 /*
- * dense_out.c - the cells of a grid at their places in a file, with holes where none is set: spreads words to the bytes of blocks that
- * have a cell, and writes these; by threads, some layers each.
+ * dense_out.c - the cells of a grid at their places in a file, with holes where none is set: spreads words to the bytes of blocks
+ * that have a cell, and writes these; by threads, some layers each.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "brick_out.h"

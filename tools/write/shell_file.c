@@ -106,8 +106,8 @@ static const shell_format shell_ply = {.begin = begin_ply, .vertex = put_ply_ver
 /* -------------------------------------------------------------------------------------------------------------------------- OBJ */
 
 /*
- * Decimals give the planes of the grid back: their texts, as they are found, are few against vertices, and long to find. Colours are
- * those of vertices, as materials would take a file beside this one.
+ * Decimals give the planes of the grid back: their texts, as they are found, are few against vertices, and long to find. Colours
+ * are those of vertices, as materials would take a file beside this one.
  */
 typedef char plane_text[DECIMAL_MAX];
 

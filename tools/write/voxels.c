@@ -1,6 +1,6 @@
 /*
- * voxels.c - finds layers among slabs, counts cells, and tells whether there is room for them; cuts bricks eight at a time, as many as
- * there are in a row of words.
+ * voxels.c - finds layers among slabs, counts cells, and tells whether there is room for them; cuts bricks eight at a time, as many
+ * as there are in a row of words.
  */
 #include "voxels.h"
 
