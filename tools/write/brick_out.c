@@ -105,12 +105,6 @@ int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
     return code || !is_looked_at ? code : check_stream(out);
 }
 
-int brick_out_put_labelled(brick_out *out, const uint32_t at[3], const uint64_t bits[8], const uint64_t inside[8])
-{
-    out->inside = inside;
-    return brick_out_put(out, at, bits);
-}
-
 int brick_out_end(brick_out *out, progress *bar)
 {
     int code = writer(out)->end(out, bar);
@@ -133,20 +127,20 @@ void brick_out_drop(brick_out *out)
     out->to = NULL;
 }
 
-static int put(void *out, const uint32_t at[3], const uint64_t bits[8]) { return brick_out_put(out, at, bits); }
-
-/* Bricks of voxels with labels. */
-typedef struct labelled_goal {
+/* Bricks of voxels. */
+typedef struct goal {
     brick_out *out;
     const voxels *v;
-} labelled_goal;
+} goal;
 
-static int put_labelled(void *data, const uint32_t at[3], const uint64_t bits[8])
+static int put(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
-    const labelled_goal *const g = data;
+    const goal *const g = data;
     uint64_t inside[8];
-    bricks_inside(g->v, at, inside);
-    return brick_out_put_labelled(g->out, at, bits, inside);
+    if (g->out->options.has_labels)
+        bricks_inside(g->v, at, inside);
+    g->out->inside = inside;
+    return brick_out_put(g->out, at, bits);
 }
 
 static int cut_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
@@ -156,8 +150,7 @@ static int cut_voxels(const volume_format *format, const volume_options *options
     int code = brick_out_open(&out, format, options, file, v);
     if (code)
         return code;
-    code = options->has_labels ? bricks_cut(v, tile, put_labelled, &(labelled_goal){&out, v}, bar)
-                               : bricks_cut(v, tile, put, &out, bar);
+    code = bricks_cut(v, tile, put, &(goal){&out, v}, bar);
     *bricks = out.bricks;
     if (!code)
         code = brick_out_end(&out, bar);

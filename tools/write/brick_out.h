@@ -39,9 +39,6 @@ int brick_out_open(brick_out *out, const volume_format *format, const volume_opt
  */
 int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
 
-/* The same with labels, as the options say: which of the cells are inside. */
-int brick_out_put_labelled(brick_out *out, const uint32_t at[3], const uint64_t bits[8], const uint64_t inside[8]);
-
 /* Writes the rest and frees all memory; file_out_keep is the caller's next step. Returns an exit_code; on failure as for put. */
 int brick_out_end(brick_out *out, progress *bar);
 
