@@ -36,7 +36,7 @@ typedef struct volume_format {
     /* Refuses a grid that the format cannot hold. Returns an exit_code. NULL: it holds every grid. */
     int (*check_grid)(const char *path, const tribox_grid *grid);
 
-    const volume_frame *frame; /* of a dense format, which dense_out.h writes; NULL for others */
+    const volume_frame *frame; /* of a dense format, which dense_write writes; NULL for others */
 
     /* Another dense format: writes layer by layer. Stops where the stream fails, which ferror then reports. NULL for others. */
     void (*write)(FILE *to, const voxels *v, progress *bar);
