@@ -46,134 +46,81 @@ static tribox_status share(size_t count, unsigned threads, tribox_status (*work)
     return (tribox_status)crew_do(&(crew_work){.threads = threads, .count = (count + s.each - 1) / s.each, .step = share_part}, &s);
 }
 
-typedef struct sorting {
-    const mesh *m;
+/* ------------------------------------------------------------------------------------------------------------------------ order */
+
+enum { SCRATCH_BYTES = 16 /* a triangle, for an order */ };
+
+typedef struct ordering {
+    mesh *m;
     void *scratch;
     uint32_t *order;
     size_t parts, first[PARTS_MAX + 1]; /* part p: places first[p] .. first[p + 1] - 1 */
-} sorting;
+    float *streams[9];                  /* in order: x of the three vertices, then y, then z */
+} ordering;
 
 static tribox_status start(const void *data, size_t first, size_t count)
 {
-    const sorting *const s = data;
-    return s->m->is_double ? tribox_mesh_sort_start(&s->m->doubles, first, count, s->scratch)
-                           : tribox_soup_sort_start(&s->m->soup, first, count, s->scratch);
+    const ordering *const o = data;
+    return o->m->is_double ? tribox_mesh_sort_start(&o->m->doubles, first, count, o->scratch)
+                           : tribox_soup_sort_start(&o->m->soup, first, count, o->scratch);
 }
 
 /* Each of the arguments is sound by now. */
 static int cut_part(void *data, void *place, size_t n)
 {
     (void)place;
-    sorting *const s = data;
-    size_t *const at = s->first + n * (PARTS_MAX / s->parts), *const end = at + PARTS_MAX / s->parts;
+    ordering *const o = data;
+    size_t *const at = o->first + n * (PARTS_MAX / o->parts), *const end = at + PARTS_MAX / o->parts;
     size_t before = 0;
-    tribox_sort_cut(s->scratch, s->m->triangles, *at, *end - *at, &before);
-    at[PARTS_MAX / s->parts / 2] = *at + before;
+    tribox_sort_cut(o->scratch, o->m->triangles, *at, *end - *at, &before);
+    at[PARTS_MAX / o->parts / 2] = *at + before;
     return 0;
 }
 
 static int finish_part(void *data, void *place, size_t n)
 {
     (void)place;
-    sorting *const s = data;
-    const size_t step = PARTS_MAX / s->parts, first = s->first[n * step];
-    tribox_sort_finish(s->scratch, s->m->triangles, first, s->first[(n + 1) * step] - first, s->order);
+    ordering *const o = data;
+    const size_t step = PARTS_MAX / o->parts, first = o->first[n * step];
+    tribox_sort_finish(o->scratch, o->m->triangles, first, o->first[(n + 1) * step] - first, o->order);
     return 0;
 }
 
-/* What tribox_soup_sort or, of doubles, tribox_mesh_sort does and returns. */
-static tribox_status sort_by_threads(const mesh *m, unsigned threads, uint32_t *order, void *scratch)
+/* What tribox_soup_sort or, of doubles, tribox_mesh_sort does. */
+static bool find_order(ordering *o, unsigned threads)
 {
-    sorting s = {.m = m, .scratch = scratch, .order = order, .parts = 1, .first = {[PARTS_MAX] = m->triangles}};
-    const tribox_status status = share(m->triangles, threads, start, &s);
-    if (status)
-        return status;
-    for (; s.parts < (size_t)threads * PARTS_EACH && s.parts < PARTS_MAX && m->triangles / s.parts > PART_LEAST; s.parts *= 2)
-        crew_do(&(crew_work){.threads = threads, .count = s.parts, .step = cut_part}, &s);
-    crew_do(&(crew_work){.threads = threads, .count = s.parts, .step = finish_part}, &s);
-    return TRIBOX_OK;
+    const size_t count = o->m->triangles, bytes = count * SCRATCH_BYTES;
+    o->scratch = pages_take(bytes);
+    const bool is_started = o->scratch && !share(count, threads, start, o);
+    for (; is_started && o->parts < (size_t)threads * PARTS_EACH && o->parts < PARTS_MAX && count / o->parts > PART_LEAST;
+         o->parts *= 2)
+        crew_do(&(crew_work){.threads = threads, .count = o->parts, .step = cut_part}, o);
+    if (is_started)
+        crew_do(&(crew_work){.threads = threads, .count = o->parts, .step = finish_part}, o);
+    pages_free(o->scratch, bytes);
+    return is_started;
 }
-
-typedef struct gathering {
-    const tribox_soup *soup;
-    const uint32_t *order;
-    float *const *streams;
-} gathering;
 
 static tribox_status gather(const void *data, size_t first, size_t count)
 {
-    const gathering *const g = data;
+    const ordering *const o = data;
     float *to[9];
     for (int k = 0; k < 9; k++)
-        to[k] = g->streams[k] + first;
-    return tribox_soup_gather(g->soup, g->order, first, count, to, to + 3, to + 6);
+        to[k] = o->streams[k] + first;
+    return tribox_soup_gather(&o->m->soup, o->order, first, count, to, to + 3, to + 6);
 }
 
-/* tribox_soup_gather of all triangles. */
-static tribox_status gather_by_threads(const tribox_soup *soup, const uint32_t *order, unsigned threads, float *const streams[9])
+static bool gather_streams(ordering *o, unsigned threads)
 {
-    return share(soup->count, threads, gather, &(gathering){soup, order, streams});
-}
-
-typedef struct indexing {
-    const tribox_index *index;
-    const tribox_options *options;
-    void *nodes;
-} indexing;
-
-static tribox_status update(const void *data, size_t first, size_t count)
-{
-    const indexing *const i = data;
-    return tribox_index_update(i->index, first, count, i->options, i->nodes);
-}
-
-/* tribox_index_build over so many triangles. */
-static tribox_status index_by_threads(const tribox_index *index, size_t count, const tribox_options *options, unsigned threads,
-                                      void *nodes)
-{
-    if (threads < 2 || count <= PART_LEAST)
-        return tribox_index_build(index, options, nodes);
-    const indexing i = {index, options, nodes};
-    const tribox_status status = share(count, threads, update, &i);
-    return status ? status : update(&i, 0, 0);
-}
-
-/* ------------------------------------------------------------------------------------------------------------------------ order */
-
-enum { SCRATCH_BYTES = 16 /* a triangle, for an order */ };
-
-static bool find_order(const mesh *m, unsigned threads, uint32_t *order)
-{
-    const size_t bytes = m->triangles * SCRATCH_BYTES;
-    void *const scratch = pages_take(bytes);
-    const tribox_status status = scratch ? sort_by_threads(m, threads, order, scratch) : MESSAGE_NO_MEMORY;
-    pages_free(scratch, bytes);
-    return !status;
-}
-
-/* The streams of so many triangles, one after the other: x of the three vertices, then y, then z. */
-static void point_streams(float *coordinates, size_t count, float *streams[9], tribox_soup *soup)
-{
-    for (size_t k = 0; k < 9; k++)
-        streams[k] = coordinates + k * count;
-    for (size_t v = 0; v < 3; v++) {
-        soup->x[v] = streams[v];
-        soup->y[v] = streams[3 + v];
-        soup->z[v] = streams[6 + v];
-    }
-    soup->count = count;
-}
-
-static bool gather_streams(mesh *m, unsigned threads, const uint32_t *order)
-{
+    mesh *const m = o->m;
     const size_t count = m->soup.count;
     float *const coordinates = pages_take(9 * count * sizeof *coordinates);
-    float *streams[9];
-    tribox_soup ordered;
-    if (!coordinates)
-        return false;
-    point_streams(coordinates, count, streams, &ordered);
-    if (gather_by_threads(&m->soup, order, threads, streams)) {
+    tribox_soup ordered = {.count = count};
+    for (size_t k = 0; coordinates && k < 9; k++) {
+        o->streams[k] = coordinates + k * count;
+        (k < 3 ? ordered.x : k < 6 ? ordered.y : ordered.z)[k % 3] = o->streams[k];
+    }
+    if (!coordinates || share(count, threads, gather, o)) {
         pages_free(coordinates, 9 * count * sizeof *coordinates);
         return false;
     }
@@ -211,13 +158,11 @@ static uint32_t *mesh_order(mesh *m, unsigned threads)
     const size_t triangle_bytes = 9 * sizeof(float) + sizeof(uint32_t);
     if (m->triangles > memory_available() / triangle_bytes || (m->is_double && m->doubles.vertices > UINT32_MAX))
         return NULL;
-    uint32_t *order = malloc(m->triangles * sizeof *order);
-    if (order &&
-        (!find_order(m, threads, order) || !(m->is_double ? reorder_corners(m, order) : gather_streams(m, threads, order)))) {
-        free(order);
-        order = NULL;
-    }
-    return order;
+    ordering o = {.m = m, .order = malloc(m->triangles * sizeof *o.order), .parts = 1, .first = {[PARTS_MAX] = m->triangles}};
+    if (o.order && find_order(&o, threads) && (m->is_double ? reorder_corners(m, o.order) : gather_streams(&o, threads)))
+        return o.order;
+    free(o.order);
+    return NULL;
 }
 
 /* ------------------------------------------------------------------------------------------------------------------------ words */
@@ -291,6 +236,22 @@ static bool prepare(box_after_box *b, index_stage stage)
     return b->nodes && (!b->r->wants_list || found_words_make(&b->words, count));
 }
 
+static tribox_status update(const void *data, size_t first, size_t count)
+{
+    const box_after_box *const b = data;
+    return tribox_index_update(&b->index, first, count, &b->r->test, b->nodes);
+}
+
+/* What tribox_index_build does, by threads where there is enough for them. */
+static tribox_status build_index(const box_after_box *b)
+{
+    const size_t count = b->m->triangles;
+    if (b->r->threads < 2 || count <= PART_LEAST)
+        return tribox_index_build(&b->index, &b->r->test, b->nodes);
+    const tribox_status status = share(count, b->r->threads, update, b);
+    return status ? status : update(b, 0, 0);
+}
+
 static int step_where_it_pays(box_after_box *b)
 {
     if (b->stage == b->last || b->seconds < seconds_per_triangle[b->stage + 1] * (double)b->m->triangles)
@@ -306,7 +267,7 @@ static int step_where_it_pays(box_after_box *b)
         b->index.mesh = &b->m->doubles;
     else
         b->index.soup = &b->m->soup;
-    return message_status(index_by_threads(&b->index, b->m->triangles, &b->r->test, b->r->threads, b->nodes));
+    return message_status(build_index(b));
 }
 
 static tribox_status ask_index(box_after_box *b, const tribox_box *box, tribox_report *report)
