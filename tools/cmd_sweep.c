@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "read/boxes.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "console/options.h"
@@ -77,8 +76,13 @@ static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
 
 static int read_box(const char *text, tribox_box *box)
 {
-    if (!box_read_floats(text, "--box", box))
+    double bounds[6];
+    unsigned decimals;
+    if (!numbers_read(text, "--box", "LX,LY,LZ,HX,HY,HZ", 6, bounds, &decimals))
         return EXIT_CODE_USAGE;
+    numbers_round(bounds, 6, decimals);
+    memcpy(box->lo, bounds, sizeof box->lo);
+    memcpy(box->hi, bounds + 3, sizeof box->hi);
     for (int a = 0; a < 3; a++)
         if (box->lo[a] > box->hi[a])
             return message_usage("--box: the empty box overlaps nothing in any order; give lower bounds first");

@@ -10,61 +10,37 @@
 #include "message.h"
 #include "written_number.h"
 
-/* What a list of numbers is read into: one of the two. */
-typedef struct numbers_to {
-    double *doubles;
-    unsigned decimals;
-    float *floats;
-} numbers_to;
-
-/* Where the text is no number, *number stays as it was. Returns whether the number is beyond what its type holds. */
-static bool convert(const char *text, size_t length, bool is_float, double *number, bool *is_number, float_fit *fit)
-{
-    char *end;
-    errno = 0;
-    if (is_float) {
-        *number = (double)strtof(text, &end);
-        *is_number = end == text + length;
-    } else {
-        *is_number = written_number_read(text, length, number, fit);
-    }
-    return errno == ERANGE;
-}
-
 /* Reads number `position`, counted from 0, that the whole of text[0 .. length) spells. */
-static bool read_number(const char *text, size_t length, const char *where, int position, int count, numbers_to *to)
+static bool read_number(const char *text, size_t length, const char *where, int position, int count, double *to, unsigned *decimals)
 {
     const int shown = length < 40 ? (int)length : 40, n = position + 1;
-    const char *const type = to->floats ? "float" : "double";
     double number = 0;
-    bool is_number;
     float_fit fit = FLOAT_FIT_NONE;
-    const bool is_out_of_range = convert(text, length, to->floats, &number, &is_number, &fit);
+    errno = 0;
+    const bool is_number = written_number_read(text, length, &number, &fit), is_out_of_range = errno == ERANGE;
     if (!is_number)
         message_say("%s: '%.*s' (number %d of %d) is not a number; write it like -0.5 or 1e-3", where, shown, text, n, count);
     else if (is_out_of_range && isinf(number))
-        message_say("%s: '%.*s' (number %d of %d) is too large for %s, which ends at %.9g", where, shown, text, n, count, type,
-                    to->floats ? (double)FLT_MAX : DBL_MAX);
+        message_say("%s: '%.*s' (number %d of %d) is too large for double, which ends at %.9g", where, shown, text, n, count,
+                    DBL_MAX);
     else if (!isfinite(number))
         message_say("%s: '%.*s' (number %d of %d) is not finite; bounds are finite numbers", where, shown, text, n, count);
     else if (is_out_of_range && number == 0)
-        message_say("%s: '%.*s' (number %d of %d) is too small for %s; give 0 or at least %s", where, shown, text, n, count, type,
-                    to->floats ? "1.4e-45" : "4.9e-324");
+        message_say("%s: '%.*s' (number %d of %d) is too small for double; give 0 or at least 4.9e-324", where, shown, text, n,
+                    count);
     else {
-        if (to->floats)
-            to->floats[position] = (float)number;
-        else
-            to->doubles[position] = number;
-        to->decimals |= (unsigned)(fit == FLOAT_FIT_DECIMAL) << position;
+        *to = number;
+        *decimals |= (unsigned)(fit == FLOAT_FIT_DECIMAL) << position;
         return true;
     }
     return false;
 }
 
-static bool read_numbers(const char *text, const char *where, const char *form, int count, numbers_to *to)
+bool numbers_read(const char *text, const char *where, const char *form, int count, double *numbers, unsigned *decimals)
 {
     bool is_due = true; /* a number must follow, as at the start and after a comma */
     int found = 0;
+    unsigned of_floats = 0;
     for (text += strspn(text, NUMBERS_BLANKS); *text || is_due; text += strspn(text, NUMBERS_BLANKS)) {
         const size_t length = strcspn(text, NUMBERS_BLANKS ",");
         if (found == count) {
@@ -75,7 +51,7 @@ static bool read_numbers(const char *text, const char *where, const char *form, 
             message_say("%s: number %d of %d is missing; give %s", where, found + 1, count, form);
             return false;
         }
-        if (!read_number(text, length, where, found, count, to))
+        if (!read_number(text, length, where, found, count, &numbers[found], &of_floats))
             return false;
         found++;
         text += length;
@@ -87,21 +63,9 @@ static bool read_numbers(const char *text, const char *where, const char *form, 
         message_say("%s: %d number%s where %d are needed; give %s", where, found, found == 1 ? "" : "s", count, form);
         return false;
     }
-    return true;
-}
-
-bool numbers_read(const char *text, const char *where, const char *form, int count, double *numbers, unsigned *decimals)
-{
-    numbers_to to = {.doubles = numbers};
-    const bool is_read = read_numbers(text, where, form, count, &to);
     if (decimals)
-        *decimals = to.decimals;
-    return is_read;
-}
-
-bool numbers_read_floats(const char *text, const char *where, const char *form, int count, float *numbers)
-{
-    return read_numbers(text, where, form, count, &(numbers_to){.floats = numbers});
+        *decimals = of_floats;
+    return true;
 }
 
 void numbers_round(double *numbers, int count, unsigned decimals)

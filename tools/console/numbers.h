@@ -15,9 +15,6 @@
  */
 bool numbers_read(const char *text, const char *where, const char *form, int count, double *numbers, unsigned *decimals);
 
-/* The same for the nearest floats. */
-bool numbers_read_floats(const char *text, const char *where, const char *form, int count, float *numbers);
-
 /* Replaces these decimals by the nearest floats. */
 void numbers_round(double *numbers, int count, unsigned decimals);
 

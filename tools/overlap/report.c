@@ -20,11 +20,7 @@ static double percent(const answer *a, uint64_t count) { return 100.0 * (double)
 static double ns_per_triangle(const answer *a) { return 1e9 * a->seconds / (double)a->triangles; }
 
 /* Whether the numbers of the box are printed as floats. */
-static bool is_float_box(const answer *a)
-{
-    tribox_box narrow;
-    return !a->is_double && box_is_float(&a->box, &narrow);
-}
+static bool is_float_box(const answer *a) { return !a->is_double && box_is_float(&a->box); }
 
 static const char *positions_word(const answer *a) { return a->is_double ? "float64" : "float32"; }
 

@@ -36,18 +36,6 @@ bool box_read(const char *text, const char *where, written_box *box)
     return true;
 }
 
-bool box_read_floats(const char *text, const char *where, tribox_box *box)
-{
-    float bounds[6];
-    if (!numbers_read_floats(text, where, form, 6, bounds))
-        return false;
-    for (int a = 0; a < 3; a++) {
-        box->lo[a] = bounds[a];
-        box->hi[a] = bounds[3 + a];
-    }
-    return true;
-}
-
 tribox_box box_for_mesh(const written_box *box, bool is_double)
 {
     tribox_box bounds = box->bounds;
@@ -58,14 +46,7 @@ tribox_box box_for_mesh(const written_box *box, bool is_double)
     return bounds;
 }
 
-bool box_is_float(const tribox_box *box, tribox_box *narrow)
-{
-    for (int a = 0; a < 3; a++) {
-        narrow->lo[a] = (float)box->lo[a];
-        narrow->hi[a] = (float)box->hi[a];
-    }
-    return numbers_are_floats(box->lo, 3) && numbers_are_floats(box->hi, 3);
-}
+bool box_is_float(const tribox_box *box) { return numbers_are_floats(box->lo, 3) && numbers_are_floats(box->hi, 3); }
 
 int box_file_open(box_file *boxes, const char *path)
 {

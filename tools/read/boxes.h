@@ -19,17 +19,14 @@ typedef struct written_box {
  */
 bool box_read(const char *text, const char *where, written_box *box);
 
-/* The same for bounds that are rounded to the nearest floats. */
-bool box_read_floats(const char *text, const char *where, tribox_box *box);
-
 /*
  * The box for a mesh: as it is for one of doubles. For one of floats a decimal that a float gives back is that float, so that a
  * float which another program has written is the same here.
  */
 tribox_box box_for_mesh(const written_box *box, bool is_double);
 
-/* Whether all bounds are floats, which *narrow then receives. */
-bool box_is_float(const tribox_box *box, tribox_box *narrow);
+/* Whether all bounds are floats. */
+bool box_is_float(const tribox_box *box);
 
 /* A file with a box on each line; '#' starts a comment, empty lines are skipped. Memory does not grow with the file. */
 typedef struct box_file {
