@@ -340,6 +340,9 @@ class Memory(Files):
                        "bricks, -o FILE.npz or .vdb$", "voxelize", self.mesh, "-c", "0.001", "--size", "4000,4000,4000", "-o",
                        self.path("x.raw"), limit=limit)
         self.out("voxelize", self.mesh, "-c", "0.001", "--size", "4000,400,4000", limit=limit)
+        self.fail_with(1, r"^tribox voxelize: the table of tiles takes 128 MiB of memory and [\d.]+ MiB are available$", "voxelize",
+                       self.mesh, "-c", "0.001", "--size", "32768,32768,32768", "--count",
+                       limit=self.need_limit(resource.RLIMIT_AS, 96 * MIB))
 
     @harness.unless_sanitized
     def test_little(self):
