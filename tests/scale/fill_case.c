@@ -34,7 +34,7 @@ typedef struct scene {
     double origin, cell; /* cells are up to twice as long; origins between both signs of it */
     int bits;            /* as crossing_case has them */
     bool is_whole;       /* origin and cells as they are, so that middles are few units */
-    int powers;          /* by which cells may be scaled further, both ways, each axis by its own */
+    int powers;          /* by which grids may be scaled further, both ways, each axis by its own or all about one place */
 } scene;
 
 static const scene scenes[] = {
@@ -49,7 +49,7 @@ static const scene scenes[] = {
     {"doubles far away", true, 0x1p46, 0x1p-3, 200, false, 0},
     {"doubles hardly finer than cells", true, 0x1p51, 0.6, 200, false, 0},
     {"doubles as fine as cells", true, 0x1p52, 1, 200, true, 0},
-    {"doubles of any length", true, 0, 0x1p-200, 1100, false, 400},
+    {"doubles of any length", true, 3, 0.7, 1100, false, 1000},
     {"tiny doubles", true, 0, 0x1p-1040, 1100, false, 0},
     {"huge doubles", true, 0x1.8p1023, 0x1p1017, 1100, false, 0},
 };
@@ -61,9 +61,11 @@ static void draw_grid(random_source *r, const scene *s, fill_case *c)
     c->scene = s->name;
     c->is_double = s->is_double;
     c->at.bits = s->bits;
+    const int place = random_int_between(r, -s->powers, s->powers);
+    const bool are_near = s->powers && random_int(r, 2);
     for (int a = 0; a < 3; a++) {
-        const double origin = s->is_whole ? s->origin : random_double(r, -1, 1) * s->origin;
-        const int power = s->powers ? random_int_between(r, -s->powers, s->powers) : 0;
+        const int power = are_near ? place + random_int_between(r, -30, 30) : random_int_between(r, -s->powers, s->powers);
+        const double origin = s->is_whole ? s->origin : ldexp(random_double(r, -1, 1) * s->origin, power);
         const double cell = s->is_whole ? s->cell : ldexp(random_double(r, 1, 2) * s->cell, power);
         const uint32_t size = (uint32_t)(a                  ? random_int_between(r, 1, 9)
                                          : random_int(r, 6) ? random_int_between(r, 2, 20)
