@@ -198,28 +198,14 @@ static void check_lost(const tribox_box *box, const uint64_t *before, const trib
     const fenced place = fenced_place(fences.mask, words * sizeof(uint64_t), AT_END);
     uint64_t *const mask = (uint64_t *)(void *)place.at;
     const tribox_region region = {.box = box};
-    size_t found = 0, any = 0, listed = 0;
     snprintf(doing, sizeof doing, "a mesh that has changed, kernel %s, accuracy %d", options->kernel, (int)options->accuracy);
     assert_int_equal(tribox_index_overlap(&stored.index, &region, options, mask, NULL), TRIBOX_OK);
     for (size_t i = 0; i < stored.soup.count; i++) {
         const bool bit = is_set(mask, i), is_whole = i / 64 < stored.soup.count / 64 && mask[i / 64] == ~UINT64_C(0);
-        found += bit;
         if (has_vertices(i) ? bit != is_set(before, i) : bit && !is_whole)
             fail_msg("%s: bit %zu is %d", doing, i, bit);
     }
-    assert_int_equal(tribox_index_any(&stored.index, &region, options, &any), TRIBOX_OK);
-    assert_true(found ? is_set(mask, any) : any == stored.soup.count);
-    assert_int_equal(tribox_index_list(&stored.index, &region, options, 0, NULL, &listed), TRIBOX_OK);
-    assert_int_equal(listed, found);
-    uint64_t *const bits = malloc((2 * words + 1) * sizeof *bits);
-    uint32_t *const number = malloc((words + 1) * sizeof *number);
-    assert_true(bits && number);
-    assert_int_equal(tribox_index_words(&stored.index, &region, options, words, number, bits, bits + words, &listed, NULL),
-                     TRIBOX_OK);
-    for (size_t k = 0; k < listed; k++)
-        assert_true(bits[k] == mask[number[k]] && !(bits[words + k] & ~bits[k]));
-    free(bits);
-    free(number);
+    check_damaged(&region, options, "changed");
 }
 
 CASE(test_changed)
