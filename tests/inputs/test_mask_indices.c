@@ -24,8 +24,8 @@ static uint64_t draw_word(random_source *r, int spread)
 }
 
 /*
- * The bits and the room for what is set end at pages that cannot be touched. Bits past a row are as they come. A window of one row is
- * a mask, too.
+ * The bits and the room for what is set end at pages that cannot be touched. Bits past a row are as they come. A window of one row
+ * is a mask, too.
  */
 static void check(random_source *r, const uint32_t size[3], int spread)
 {
