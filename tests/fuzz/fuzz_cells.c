@@ -119,13 +119,6 @@ static uint32_t lowest(unsigned hits)
     return hits ? i : UINT32_MAX;
 }
 
-static tribox_status voxelize(const fuzz_case *q, const tribox_window *window, const tribox_options *o, uint64_t *occupied,
-                              tribox_report *report)
-{
-    return q->t.is_mesh ? tribox_mesh_voxelize(&q->t.mesh, &q->grid, window, o, occupied, report)
-                        : tribox_voxelize(&q->t.soup, &q->grid, window, o, occupied, report);
-}
-
 /* What is set, and what was before, of a window or all: no cell that had to be set is missing, and none is there that must not. */
 static void check_window(const fuzz_case *q, const tribox_window *w, const tribox_options *o, const uint64_t *set, bool has_before)
 {
@@ -149,7 +142,7 @@ static uint64_t *check_voxelize(const fuzz_case *q, const tribox_window *window,
     if (before && bits)
         memcpy(set, before, bits / 8);
     const size_t had = mask_population(set, bits);
-    ensure_status(0, voxelize(q, window, o, set, &report));
+    ensure_status(0, CALL(voxelize, &q->t, &q->grid, window, o, set, &report));
     ensure(report.overlapping == mask_population(set, bits) - had, "%zu cells reported as newly set", report.overlapping);
     for (size_t w = 0; w < bits / 64; w++)
         ensure(!(set[w] & ~cells_of_word(&(tribox_grid){.size = {window->size[0]}}, w)), "word %zu has bits past the row", w);
@@ -173,11 +166,9 @@ static void check_windows(const fuzz_case *q, const tribox_options *o)
 static void check_cell_lists(const fuzz_case *q, const tribox_options *o)
 {
     size_t *const starts = tight_memory((q->cells + 1) * sizeof *starts, 0);
-    const tribox_mesh *const mesh = &q->t.mesh;
     uint32_t *list = NULL;
     for (int pass = 0; pass < 2; pass++) {
-        ensure_status(0, q->t.is_mesh ? tribox_mesh_cell_lists(mesh, &q->grid, NULL, o, starts, list)
-                                      : tribox_cell_lists(&q->t.soup, &q->grid, NULL, o, starts, list));
+        ensure_status(0, CALL(cell_lists, &q->t, &q->grid, NULL, o, starts, list));
         list = pass ? list : tight_memory(starts[q->cells] * sizeof *list, 0);
     }
     for (size_t c = 0; c < q->cells; c++) {
@@ -197,8 +188,7 @@ static void check_ids(const fuzz_case *q, const tribox_options *o)
     for (int p = 1; p >= 0; p--) {
         const things t = things_part(&q->t, p ? half : 0, p ? q->t.count - half : half);
         const uint32_t first = p ? (uint32_t)half : 0;
-        ensure_status(0, t.is_mesh ? tribox_mesh_voxelize_ids(&t.mesh, first, &q->grid, NULL, o, occupied, ids, NULL)
-                                   : tribox_voxelize_ids(&t.soup, first, &q->grid, NULL, o, occupied, ids, NULL));
+        ensure_status(0, CALL(voxelize_ids, &t, first, &q->grid, NULL, o, occupied, ids, NULL));
     }
     ensure(is_same_mask(occupied, q->expected, 64 * q->words), "with ids there are other cells");
     for (size_t c = 0; c < q->cells; c++) {
@@ -269,17 +259,12 @@ static void check_list(const fuzz_case *q, size_t tile, const uint32_t *list, si
 static tribox_status ask_bricks(fuzz_case *q, const tribox_tiles *tiles, const size_t *starts, const uint32_t *list,
                                 const tribox_options *o, bool has_ids, tribox_report *report)
 {
-    const tribox_soup *const soup = &q->t.soup;
-    const tribox_mesh *const mesh = &q->t.mesh;
-    const tribox_grid *const grid = &q->grid;
     void *const scratch = tight_memory(has_ids ? tribox_bricks_ids_bytes(q->tile) : tribox_bricks_bytes(q->tile), 0);
     const tribox_sink sink = {take, q};
     const tribox_ids_sink ids = {take_ids, q};
     if (has_ids)
-        return q->t.is_mesh ? tribox_mesh_bricks_ids(mesh, grid, tiles, starts, list, o, scratch, &ids, report)
-                            : tribox_bricks_ids(soup, grid, tiles, starts, list, o, scratch, &ids, report);
-    return q->t.is_mesh ? tribox_mesh_bricks(mesh, grid, tiles, starts, list, o, scratch, &sink, report)
-                        : tribox_bricks(soup, grid, tiles, starts, list, o, scratch, &sink, report);
+        return CALL(bricks_ids, &q->t, &q->grid, tiles, starts, list, o, scratch, &ids, report);
+    return CALL(bricks, &q->t, &q->grid, tiles, starts, list, o, scratch, &sink, report);
 }
 
 static void check_bricks(fuzz_case *q, const tribox_options *o, bool has_ids)
@@ -290,8 +275,7 @@ static void check_bricks(fuzz_case *q, const tribox_options *o, bool has_ids)
     tribox_report report;
     const tribox_tiles all = {q->tile, 0, tiles};
     for (int pass = 0; pass < 2; pass++) {
-        ensure_status(0, q->t.is_mesh ? tribox_mesh_tile_lists(&q->t.mesh, &q->grid, &all, o, starts, list)
-                                      : tribox_tile_lists(&q->t.soup, &q->grid, &all, o, starts, list));
+        ensure_status(0, CALL(tile_lists, &q->t, &q->grid, &all, o, starts, list));
         list = pass ? list : tight_memory(starts[tiles] * sizeof *list, 0);
     }
     for (size_t t = 0; t < tiles; t++)
@@ -327,7 +311,7 @@ static void check_refusal(const fuzz_case *q, unsigned wrong, uint32_t first, ui
     uint64_t *const occupied = tight_mask(64);
     const tribox_window window = {{0, 0, first}, {q->grid.size[0], q->grid.size[1], layers}};
     memset(&report, POISON, sizeof report);
-    ensure_status(wrong, voxelize(q, &window, &q->options, occupied, &report));
+    ensure_status(wrong, CALL(voxelize, &q->t, &q->grid, &window, &q->options, occupied, &report));
     ensure_poisoned(occupied, sizeof *occupied);
     ensure_poisoned(&report, sizeof report);
 }
@@ -361,8 +345,7 @@ static void check_parity(const fuzz_case *q, const uint64_t *walls)
     for (int a = 0; a < 3; a++)
         for (uint32_t n = 0; n < at.size[a]; n++)
             at.middle[a][n] = (plane(&q->grid, a, n) + plane(&q->grid, a, n + 1)) / 2;
-    ensure_status(0, q->t.is_mesh ? tribox_mesh_fill_parity(&q->t.mesh, &q->grid, walls, scratch, solid, &inside, &odd_rows)
-                                  : tribox_fill_parity(&q->t.soup, &q->grid, walls, scratch, solid, &inside, &odd_rows));
+    ensure_status(0, CALL(fill_parity, &q->t, &q->grid, walls, scratch, solid, &inside, &odd_rows));
     crossing_oracle(&at, is_inside, is_odd);
     for (uint32_t row = 0; row < at.size[1] * at.size[2]; row++) {
         expected_odd += is_odd[row];

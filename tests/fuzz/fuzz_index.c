@@ -60,7 +60,7 @@ static uint64_t *check_mask(const fuzz_case *q, const tribox_options *o)
     uint64_t *const mask = tight_mask(count), *const without = tight_mask(count), *const inside = tight_mask(count);
     tribox_report report, alone;
     ensure_status(0, things_overlap(&q->t, &q->region, o, without, NULL));
-    ensure_status(0, things_classify(&q->t, &q->box[0], o, NULL, inside, NULL));
+    ensure_status(0, CALL(classify, &q->t, &q->box[0], o, NULL, inside, NULL));
     ensure_status(0, tribox_index_overlap(&q->index, &q->region, o, mask, &report));
     ensure_status(0, tribox_index_overlap(&q->index, &q->region, o, NULL, &alone));
     ensure(report.overlapping == mask_population(mask, count) && alone.overlapping == report.overlapping,
@@ -95,7 +95,7 @@ static void check_inside(const fuzz_case *q, const tribox_options *o)
     uint32_t *const number = tight_memory(words * sizeof *number, 0);
     uint64_t *const bits = tight_mask(64 * words), *const inside = tight_mask(64 * words), *const truth = tight_mask(q->t.count);
     size_t found = SIZE_MAX;
-    ensure_status(0, things_classify(&q->t, &q->box[0], o, NULL, truth, NULL));
+    ensure_status(0, CALL(classify, &q->t, &q->box[0], o, NULL, truth, NULL));
     ensure_status(0, tribox_index_words(&q->index, &q->region, o, words, number, bits, inside, &found, NULL));
     ensure(found <= words, "%zu words of %zu", found, words);
     for (size_t k = 0; k < found; k++)
@@ -107,7 +107,7 @@ static void check_inside(const fuzz_case *q, const tribox_options *o)
 static bool is_inside(const fuzz_case *q, const tribox_options *o, size_t i)
 {
     uint64_t *const inside = tight_mask(q->t.count);
-    ensure_status(0, things_classify(&q->t, &q->box[0], o, NULL, inside, NULL));
+    ensure_status(0, CALL(classify, &q->t, &q->box[0], o, NULL, inside, NULL));
     return mask_bit(inside, i);
 }
 

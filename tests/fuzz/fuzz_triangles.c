@@ -104,17 +104,11 @@ static void check_halves(const fuzz_case *q, const tribox_options *o, const uint
     ensure(is_same_mask(again, mask, q->count), "without a report it answers otherwise");
 }
 
-static tribox_status find(const fuzz_case *q, const tribox_options *o, tribox_find_what what, size_t *found)
-{
-    return q->t.is_mesh ? tribox_mesh_find(&q->t.mesh, &q->box[0], o, what, found)
-                        : tribox_find(&q->t.soup, &q->box[0], o, what, found);
-}
-
 static void check_find(const fuzz_case *q, const tribox_options *o, const uint64_t *mask)
 {
     for (int what = TRIBOX_FIRST_HIT; what <= TRIBOX_FIRST_MISS; what++) {
         size_t found;
-        ensure_status(0, find(q, o, (tribox_find_what)what, &found));
+        ensure_status(0, CALL(find, &q->t, &q->box[0], o, (tribox_find_what)what, &found));
         ensure(found == first_bit(mask, q->count, what == TRIBOX_FIRST_HIT), "kind %u: find %d finds %zu", q->kind, what, found);
     }
 }
@@ -128,7 +122,7 @@ static void check_classify(const fuzz_case *q, const tribox_options *o, const ui
     const bool is_fast = o->accuracy == TRIBOX_FAST;
     uint64_t *const set = tight_mask(q->count), *const inside = tight_mask(q->count), *const again = tight_mask(q->count);
     tribox_report report;
-    ensure_status(0, things_classify(&q->t, &q->box[0], o, set, inside, &report));
+    ensure_status(0, CALL(classify, &q->t, &q->box[0], o, set, inside, &report));
     ensure(report.overlapping == mask_population(set, q->count), "classify reports %zu overlapping", report.overlapping);
     for (size_t i = 0; i < q->count; i++) {
         const bool is_inside = triangle_is_inside(things_triangle(&q->t, i), &q->box[0]), bit = mask_bit(set, i);
@@ -139,9 +133,9 @@ static void check_classify(const fuzz_case *q, const tribox_options *o, const ui
     }
     if (o->kernel != runnable_kernels()[0])
         return;
-    ensure_status(0, things_classify(&q->t, &q->box[0], o, NULL, again, NULL));
+    ensure_status(0, CALL(classify, &q->t, &q->box[0], o, NULL, again, NULL));
     ensure(is_same_mask(again, inside, q->count), "classify without a mask answers otherwise");
-    ensure_status(0, things_classify(&q->t, &q->box[0], o, again, NULL, NULL));
+    ensure_status(0, CALL(classify, &q->t, &q->box[0], o, again, NULL, NULL));
     ensure(is_same_mask(again, set, q->count), "classify without inside answers otherwise");
 }
 
@@ -262,11 +256,11 @@ static void check_refusals(const fuzz_case *q)
     ensure_about(o);
     ensure_status(q->wrong | (is_open(q, o) ? 1u << TRIBOX_BAD_OPTION : 0), ask(q, o, mask, &report));
     if (q->form == BOX && q->wrong != 1u << TRIBOX_BAD_VERTEX) { /* of a search only if it comes across one */
-        ensure_status(q->wrong, find(q, o, TRIBOX_FIRST_HIT, &first));
-        ensure_status(q->wrong, find(q, o, TRIBOX_FIRST_MISS, &first));
+        ensure_status(q->wrong, CALL(find, &q->t, &q->box[0], o, TRIBOX_FIRST_HIT, &first));
+        ensure_status(q->wrong, CALL(find, &q->t, &q->box[0], o, TRIBOX_FIRST_MISS, &first));
     }
     if (q->form == BOX)
-        ensure_status(q->wrong, things_classify(&q->t, &q->box[0], o, mask, inside, &report));
+        ensure_status(q->wrong, CALL(classify, &q->t, &q->box[0], o, mask, inside, &report));
     ensure_poisoned(mask, tribox_mask_words(q->count) * sizeof *mask);
     ensure_poisoned(inside, tribox_mask_words(q->count) * sizeof *inside);
     ensure_poisoned(&report, sizeof report);

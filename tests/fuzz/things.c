@@ -195,17 +195,8 @@ tribox_status things_overlap(const things *t, const tribox_region *region, const
                              tribox_report *report)
 {
     if (region->oriented)
-        return t->is_mesh ? tribox_mesh_overlap_oriented(&t->mesh, region->oriented, o, mask, report)
-                          : tribox_overlap_oriented(&t->soup, region->oriented, o, mask, report);
-    return t->is_mesh ? tribox_mesh_overlap(&t->mesh, region->box, o, mask, report)
-                      : tribox_overlap(&t->soup, region->box, o, mask, report);
-}
-
-tribox_status things_classify(const things *t, const tribox_box *box, const tribox_options *o, uint64_t *mask, uint64_t *inside,
-                              tribox_report *report)
-{
-    return t->is_mesh ? tribox_mesh_classify(&t->mesh, box, o, mask, inside, report)
-                      : tribox_classify(&t->soup, box, o, mask, inside, report);
+        return CALL(overlap_oriented, t, region->oriented, o, mask, report);
+    return CALL(overlap, t, region->box, o, mask, report);
 }
 
 const char *const *runnable_kernels(void)

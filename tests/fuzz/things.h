@@ -2,6 +2,7 @@
 #ifndef TRIBOX_TESTS_FUZZ_THINGS_H
 #define TRIBOX_TESTS_FUZZ_THINGS_H
 
+#include "common/soup_or_mesh.h"
 #include "ensure.h"
 #include "input.h"
 
@@ -12,7 +13,7 @@ typedef struct things {
     double u[DRAWN_MAX][3][3];
     unsigned drawn;
     size_t count, run; /* triangle i is u[i / run % drawn] */
-    bool is_mesh;
+    bool is_mesh; /* for CALL */
     tribox_soup soup;
     tribox_mesh mesh;
     unsigned wrong;         /* with the mesh; as bits of 1 << status */
@@ -42,8 +43,6 @@ bool triangle_is_inside(corners u, const tribox_box *box);
 
 tribox_status things_overlap(const things *t, const tribox_region *region, const tribox_options *o, uint64_t *mask,
                              tribox_report *report);
-tribox_status things_classify(const things *t, const tribox_box *box, const tribox_options *o, uint64_t *mask, uint64_t *inside,
-                              tribox_report *report);
 
 /* A stream of exact size, `shift` floats off an aligned place. */
 float *tight_stream(size_t count, size_t shift);
