@@ -56,13 +56,6 @@ static void make_pairs(pairs *p)
         }
 }
 
-static void free_pairs(pairs *p)
-{
-    scene_free(&p->at);
-    free(p->bounds);
-    free(p->placed);
-}
-
 /* Calls of `count` triangles each: slices of the scene, at any alignment. */
 static void make_triangles(const pairs *p, size_t count, timing_work *work)
 {
@@ -391,10 +384,6 @@ static bool run_calls(asked *q, const pairs *p)
         ROW(&q->out, TEXT("call", calls[c].name), NUMBER("of_1", 1, measure_least(&q->taken, 0)),
             NUMBER("of_8", 1, measure_least(&q->taken, 1)), NUMBER("of_64", 1, measure_least(&q->taken, 2)));
     }
-    for (size_t n = 0; n < SIZES; n++) {
-        free(about[n].nodes);
-        free(about[n].scratch);
-    }
     return is_right;
 }
 
@@ -417,7 +406,7 @@ static bool answer(asked *q)
     is_right = is_right && run_calls(q, &p);
     for (size_t n = 0; n < COUNTS; n++)
         timing_work_free(&triangles[n]);
-    free_pairs(&p);
+    scene_free(&p.at);
     return is_right;
 }
 

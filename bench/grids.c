@@ -437,12 +437,13 @@ static bool answer(asked *q)
     asked_cells(q, asked_has(q, OPTION_QUICK) ? (const uint32_t[]){64, 128, 128} : (const uint32_t[]){64, 256, 1024},
                 asked_has(q, OPTION_QUICK) ? 2 : 3);
     for (size_t k = 0; is_right && k < q->meshes.count; k++) {
+        void *const mark = asked_mark();
         index_scene at;
         if (!index_scene_read(q->meshes.path[k], &at))
             return false;
         for (size_t n = 0; is_right && n < q->cell_counts; n++)
             is_right = ask_grid(q, &at, q->cells[n]);
-        index_scene_free(&at);
+        asked_release(mark);
     }
     return is_right;
 }

@@ -65,8 +65,8 @@ static bool make_meshes(field *f)
 {
     const tribox_soup *const file = &f->scene->room.soup;
     const size_t count = file->count;
-    uint32_t(*const welded)[3] = malloc(count * sizeof *welded);
-    const size_t vertices = welded ? weld_soup(file, f->floats, welded) : 0;
+    uint32_t(*const welded)[3] = asked_allocate(count, sizeof *welded);
+    const size_t vertices = weld_soup(file, f->floats, welded);
     double by[3];
     far_away(f, by);
     for (size_t i = 0; vertices && i < count; i++)
@@ -74,7 +74,6 @@ static bool make_meshes(field *f)
     for (size_t v = 0; v < vertices; v++)
         for (int a = 0; a < 3; a++)
             f->doubles[v][a] = (double)f->floats[v][a] + by[a];
-    free(welded);
     for (int k = 0; k < 2; k++) {
         f->mesh[k] = (tribox_mesh){.positions = k ? (const void *)f->doubles : f->floats,
                                    .vertices = vertices,
@@ -127,16 +126,6 @@ static bool make(const index_scene *scene, size_t boxes, size_t evicted, const c
     f->mesh_nodes[1] = asked_allocate(tribox_index_bytes(count), 1);
     f->file = (tribox_index){.nodes = f->file_nodes, .soup = &scene->room.soup};
     return make_meshes(f) || message_failure("out of memory for meshes") == EXIT_CODE_OK;
-}
-
-static void release(field *f)
-{
-    void *const rooms[] = {f->floats, f->doubles, f->corners,    f->boxes,         f->wide,
-                           f->moved,  f->turned,  f->file_nodes, f->mesh_nodes[0], f->mesh_nodes[1]};
-    for (size_t k = 0; k < sizeof rooms / sizeof rooms[0]; k++)
-        free(rooms[k]);
-    answer_room_free(&f->room);
-    ordered_soup_free(&f->cuts);
 }
 
 static index_question question_of(field *f, kind k)
@@ -325,6 +314,7 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
 {
     static contestant_run *const runs[MANY_RUNS] = {run_as_drawn, run_in_order, run_ordering};
     const tribox_options options = {.kernel = q->kernel};
+    void *const mark = asked_mark();
     tribox_box *const boxes = asked_allocate(count, sizeof *boxes);
     many m = {.index = &f->cuts.index};
     contestant list[MANY_RUNS];
@@ -339,9 +329,7 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
             NUMBER("as_drawn", 0, measure_least(&q->taken, AS_DRAWN)), NUMBER("in_order", 0, measure_least(&q->taken, IN_ORDER)),
             NUMBER("ordering", 0, measure_least(&q->taken, ORDERING)));
     }
-    void *const rooms[] = {boxes, m.bounds[0], m.bounds[1], m.order, m.list, m.scratch, m.start};
-    for (size_t k = 0; k < sizeof rooms / sizeof rooms[0]; k++)
-        free(rooms[k]);
+    asked_release(mark);
     return is_right || message_failure("the lists of %zu boxes are wrong", count) == EXIT_CODE_OK;
 }
 
@@ -373,7 +361,6 @@ static bool ask_scene(asked *q, const index_scene *at, size_t number)
     }
     for (int p = 0; is_right && p < MANY_SIZES; p++)
         is_right = ask_many(q, &f, p, is_quick ? 2000 : 20000, how);
-    release(&f);
     return is_right;
 }
 

@@ -82,7 +82,6 @@ typedef struct forms {
     tribox_box box;          /* of the doubles */
     float *streams;          /* room for nine */
     uint64_t *inside;        /* room for a mask */
-    void *memory[8];
 } forms;
 
 /* What a contestant answers: a form of the scene. */
@@ -118,9 +117,9 @@ static void make_floats(const recipe *from, generator *g, forms *f)
     timing_work *const work = &f->at.work;
     const size_t count = work->pairs, vertices = from->corners == OWN ? 3 * count : count / 2;
     const tribox_box box = work->jobs[0].box;
-    float(*const positions)[3] = f->memory[0] = asked_allocate(vertices, sizeof *positions);
-    uint32_t *const wide = f->memory[1] = asked_allocate(3 * count, sizeof *wide);
-    uint16_t *const narrow = f->memory[2] = vertices <= 65536 ? asked_allocate(3 * count, sizeof *narrow) : NULL;
+    float(*const positions)[3] = asked_allocate(vertices, sizeof *positions);
+    uint32_t *const wide = asked_allocate(3 * count, sizeof *wide);
+    uint16_t *const narrow = vertices <= 65536 ? asked_allocate(3 * count, sizeof *narrow) : NULL;
     memcpy(positions, work->triangles, vertices * sizeof *positions);
     for (size_t corner = 0; corner < 3 * count; corner++) {
         wide[corner] = (uint32_t)corner_vertex(g, from->corners, corner, count, vertices);
@@ -147,8 +146,8 @@ static void make_doubles(const recipe *from, generator *g, forms *f)
     const float *const positions = single->positions;
     const uint32_t *const vertex = single->indices;
     const tribox_box *const box = &f->at.work.jobs[0].box;
-    double(*const wide)[3] = f->memory[3] = asked_allocate(single->vertices, sizeof *wide);
-    double(*const nine)[3] = f->memory[4] = asked_allocate(3 * single->count, sizeof *nine);
+    double(*const wide)[3] = asked_allocate(single->vertices, sizeof *wide);
+    double(*const nine)[3] = asked_allocate(3 * single->count, sizeof *nine);
     for (size_t k = 0; k < 3 * single->vertices; k++)
         wide[k / 3][k % 3] = as_double(g, positions[k], from);
     for (size_t corner = 0; corner < 3 * single->count; corner++)
@@ -174,17 +173,10 @@ static bool make_forms(const recipe *from, uint64_t seed, bool has_doubles, form
     if (has_doubles)
         make_doubles(from, &g, f);
     else {
-        f->streams = f->memory[5] = asked_allocate(9 * f->at.work.pairs, sizeof(float));
-        f->inside = f->memory[6] = asked_allocate(f->at.work.words, sizeof *f->inside);
+        f->streams = asked_allocate(9 * f->at.work.pairs, sizeof(float));
+        f->inside = asked_allocate(f->at.work.words, sizeof *f->inside);
     }
     return true;
-}
-
-static void free_forms(forms *f)
-{
-    scene_free(&f->at);
-    for (size_t k = 0; k < sizeof f->memory / sizeof f->memory[0]; k++)
-        free(f->memory[k]);
 }
 
 /* ---- who is timed ---------------------------------------------------------------------------------------------------------- */
@@ -352,6 +344,7 @@ static bool ask_floats(asked *q, const recipe *from)
 {
     contestant list[CONTESTANTS_MAX];
     input asked_of[CONTESTANTS_MAX];
+    void *const mark = asked_mark();
     forms f;
     if (!make_forms(from, q->seed, false, &f))
         return false;
@@ -367,7 +360,8 @@ static bool ask_floats(asked *q, const recipe *from)
         }
         printout_disturbed(&q->out, &q->taken);
     }
-    free_forms(&f);
+    scene_free(&f.at);
+    asked_release(mark);
     return is_right;
 }
 
@@ -404,6 +398,7 @@ static bool ask_doubles(asked *q, const recipe *from)
 {
     input asked_of[ENTRIES];
     contestant list[ENTRIES];
+    void *const mark = asked_mark();
     forms f;
     if (!make_forms(from, q->seed, true, &f))
         return false;
@@ -420,10 +415,9 @@ static bool ask_doubles(asked *q, const recipe *from)
         is_right && asked_measure(q, from->name, list, count + (peer != NULL), &about, asked_effort(q, 51, 8, 1e-3), about.words);
     if (is_right)
         tell_doubles(q, from, &f, list, count + (peer != NULL));
-    free(exact);
-    free(other);
     free_peer(&list[PEER]);
-    free_forms(&f);
+    scene_free(&f.at);
+    asked_release(mark);
     return is_right;
 }
 
@@ -452,7 +446,7 @@ static void make_stage(stage which, forms *f)
 {
     generator g = {1};
     double(*const nine)[9] = asked_allocate(STAGED, sizeof *nine);
-    *f = (forms){.memory = {nine}};
+    *f = (forms){.streams = NULL};
     for (size_t i = 0; i < STAGED; i++)
         draw_staged(&g, which, nine[i]);
     for (int a = 0; a < 3; a++) {
@@ -471,6 +465,7 @@ static void ask_stage(asked *q, stage which)
 {
     static const char *const names[STAGES] = {"none", "in double", "an ulp off contact", "in integers of 60 bits",
                                               "in long integers"};
+    void *const mark = asked_mark();
     forms at[2];
     input asked_of[2];
     contestant list[2];
@@ -492,8 +487,7 @@ static void ask_stage(asked *q, stage which)
     const double more = measure_least(&q->taken, 1) - measure_least(&q->taken, 0);
     ROW(&q->out, TEXT("settled", names[which]), NUMBER("triangles", 0, (double)report.undecided),
         NUMBER("ns_a_triangle", 1, report.undecided ? more * STAGED / (double)report.undecided : 0));
-    free_forms(&at[0]);
-    free_forms(&at[1]);
+    asked_release(mark);
 }
 
 static bool answer_doubles(asked *q)
@@ -524,7 +518,6 @@ static size_t enter_peers(const timing_work *work, contestant *list)
         list[count] = peer_contestant(way, nine, work->pairs, &job->box);
         list[count++].promise = PROMISE_ROUNDED; /* of degenerate triangles CGAL promises nothing */
     }
-    free(nine);
     return count;
 }
 
@@ -556,8 +549,6 @@ static bool ask_peers(asked *q, const scene *at, const contestant *list, size_t 
     }
     if (is_timed)
         printout_disturbed(&q->out, &q->taken);
-    free(exact);
-    free(other);
     return is_right;
 }
 
@@ -578,12 +569,14 @@ static bool answer_cgal(asked *q)
             continue;
         if (!scene_find(scenes[k], &index) || !scene_make(index, q->seed, &at))
             return false;
+        void *const mark = asked_mark();
         timing_work_shorten(&at.work, PEER_TRIANGLES);
         const size_t count = enter_peers(&at.work, list);
         is_right = ask_peers(q, &at, list, count) && is_right;
         for (size_t c = count - CGAL_WAYS; c < count; c++)
             free_peer(&list[c]);
         scene_free(&at);
+        asked_release(mark);
     }
     return is_right;
 }

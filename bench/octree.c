@@ -235,10 +235,6 @@ static bool ask_scene(asked *q, const index_scene *at)
     make_cube(at, &o);
     for (o.depth = DEPTH_MAX - 2; is_run && o.depth <= DEPTH_MAX; o.depth += 2)
         is_run = run_depth(q, at->name, &o);
-    free(o.own);
-    free(o.lists);
-    free(o.bytes);
-    free(o.mask);
     timing_work_free(&work);
     return is_run;
 }
@@ -247,11 +243,12 @@ static bool answer(asked *q)
 {
     bool is_right = true;
     for (size_t k = 0; is_right && k < q->meshes.count; k++) {
+        void *const mark = asked_mark();
         index_scene at;
         if (!index_scene_read(q->meshes.path[k], &at))
             return false;
         is_right = ask_scene(q, &at);
-        index_scene_free(&at);
+        asked_release(mark);
     }
     return is_right;
 }

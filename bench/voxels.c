@@ -221,6 +221,7 @@ static bool ask_about(asked *q, const index_scene *scene, means *of_meshes)
     bool is_right = index_scene_work(scene, &work);
     const timing_job *const at = work.jobs;
     for (size_t r = 0; is_right && r < q->cell_counts; r++) {
+        void *const mark = asked_mark();
         task t = {.name = scene->name, .at = at, .grid = index_scene_grid(scene, q->cells[r])};
         for (size_t c = 0; c < TIMED; c++)
             t.step[c] = 1;
@@ -231,8 +232,7 @@ static bool ask_about(asked *q, const index_scene *scene, means *of_meshes)
         for (size_t c = 0; is_right && of_meshes && c < TIMED; c++)
             of_meshes->logarithm[r][c] += log(measure_least(&q->taken, c) / measure_least(&q->taken, EXACT));
         voxel_words_free(&t.answer);
-        free(t.bits);
-        free(t.sample);
+        asked_release(mark);
     }
     if (of_meshes)
         of_meshes->count++;
@@ -267,13 +267,14 @@ static bool answer(asked *q)
     const size_t scenes = asked_has(q, OPTION_NO_SCENES) ? 0 : MADE_SCENES;
     for (size_t k = 0; is_right && k < scenes + q->meshes.count; k++) {
         const bool is_made = k < scenes;
+        void *const mark = asked_mark();
         index_scene at;
         if (is_made)
             index_scene_make((made_scene)k, q->seed, &at);
         else if (!index_scene_read(q->meshes.path[k - scenes], &at))
             return false;
         is_right = ask_about(q, &at, is_made ? NULL : &m);
-        index_scene_free(&at);
+        asked_release(mark);
     }
     if (is_right)
         tell_means(q, &m);

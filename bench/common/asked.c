@@ -261,17 +261,34 @@ bool asked_measure(asked *q, const char *name, const contestant *list, size_t co
 {
     if (from && !asked_verify(q, name, list, count, from))
         return false;
-    uint64_t *const mask = asked_allocate(mask_words + 1, sizeof *mask);
-    measure(list, count, how, &q->order, mask, &q->taken);
-    free(mask);
+    void *const mark = asked_mark();
+    measure(list, count, how, &q->order, asked_allocate(mask_words + 1, sizeof(uint64_t)), &q->taken);
+    asked_release(mark);
     return true;
 }
 
+/* Each block begins with a cache line that knows the one before. */
+static void *last;
+
 void *asked_allocate(size_t count, size_t size)
 {
-    const size_t bytes = (count * size + 63) / 64 * 64 + 64;
-    void *const memory = aligned_alloc(64, bytes);
+    const size_t bytes = (count * size + 63) / 64 * 64 + 128;
+    char *const memory = aligned_alloc(64, bytes);
     if (!memory)
         exit(message_failure("out of memory for %zu bytes", bytes));
-    return memset(memory, 0, bytes);
+    memset(memory, 0, bytes);
+    *(void **)(void *)memory = last;
+    last = memory;
+    return memory + 64;
+}
+
+void *asked_mark(void) { return last; }
+
+void asked_release(void *mark)
+{
+    while (last != mark) {
+        void *const before = *(void **)last;
+        free(last);
+        last = before;
+    }
 }

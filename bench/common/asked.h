@@ -97,7 +97,11 @@ effort asked_effort(const asked *q, size_t rounds, double seconds, double sample
 bool asked_measure(asked *q, const char *name, const contestant *list, size_t count, const truth *from, effort how, size_t words);
 bool asked_verify(asked *q, const char *name, const contestant *list, size_t count, const truth *from);
 
-/* Zeros that were touched, from a cache line on. Ends the program if there is no memory. */
+/* Zeros that were touched, from a cache line on. Ends the program if there is no memory. It lasts until asked_release. */
 void *asked_allocate(size_t count, size_t size);
+
+/* Frees what was allocated after this was asked_mark's. */
+void *asked_mark(void);
+void asked_release(void *mark);
 
 #endif

@@ -18,7 +18,7 @@ void soup_room_make(size_t count, soup_room *made)
 {
     const size_t stride = (count / LINE_FLOATS + 3) * LINE_FLOATS;
     float *const to = asked_allocate(9 * stride, sizeof *to);
-    *made = (soup_room){.soup = {.count = count}, .storage = to};
+    *made = (soup_room){.soup = {.count = count}};
     for (int v = 0; v < 3; v++) {
         made->soup.x[v] = made->x[v] = to + (size_t)v * stride;
         made->soup.y[v] = made->y[v] = to + (size_t)(3 + v) * stride;
@@ -140,7 +140,6 @@ static void index_scene_terrain(size_t triangles, uint64_t seed, index_scene *ma
                 soup_room_put(&made->room, to++, (const float(*)[3])u);
             }
     }
-    free(row);
     find_bounds(made);
 }
 
@@ -205,8 +204,6 @@ tribox_grid index_scene_grid(const index_scene *scene, uint32_t along)
     return grid;
 }
 
-void index_scene_free(index_scene *scene) { free(scene->room.storage); }
-
 bool index_scenes_ask(asked *q, size_t terrain, index_scene_answer *ask)
 {
     const char *const *names;
@@ -215,13 +212,14 @@ bool index_scenes_ask(asked *q, size_t terrain, index_scene_answer *ask)
     for (size_t k = 0; k < count; k++)
         mesh_list_take(&q->meshes, names[k]);
     for (size_t k = 0; is_right && k < q->meshes.count + (terrain > 0); k++) {
+        void *const mark = asked_mark();
         index_scene at;
         if (k == q->meshes.count)
             index_scene_terrain(terrain, q->seed, &at);
         else if (!index_scene_read(q->meshes.path[k], &at))
             return false;
         is_right = ask(q, &at, k);
-        index_scene_free(&at);
+        asked_release(mark);
     }
     return is_right;
 }
@@ -313,15 +311,7 @@ bool ordered_soup_make(const index_scene *scene, int tries, const char *kernel, 
     soup_room_make(count, &made->room);
     for (int t = 0; is_made && t < tries; t++)
         is_made = try_once(scene, kernel, scratch, made);
-    free(scratch);
     return is_made || message_failure("%s cannot be ordered or indexed", scene->name) == EXIT_CODE_OK;
-}
-
-void ordered_soup_free(ordered_soup *made)
-{
-    free(made->room.storage);
-    free(made->ids);
-    free(made->memory);
 }
 
 /* ---- forms of answers -------------------------------------------------------------------------------------------------------- */
@@ -334,20 +324,13 @@ void answer_room_make(size_t triangles, size_t elsewhere_bytes, answer_room *mad
 {
     const size_t words = tribox_mask_words(triangles) + 1;
     uint64_t *const storage = asked_allocate(words, 3 * sizeof(uint64_t) + 65 * sizeof(uint32_t));
-    *made = (answer_room){.storage = storage,
-                          .bits = storage,
+    *made = (answer_room){.bits = storage,
                           .mask = storage + words,
                           .linear = storage + 2 * words,
                           .number = (uint32_t *)(storage + 3 * words),
                           .elsewhere = asked_allocate(elsewhere_bytes, 1),
                           .elsewhere_bytes = elsewhere_bytes};
     made->list = made->number + words;
-}
-
-void answer_room_free(answer_room *made)
-{
-    free(made->storage);
-    free(made->elsewhere);
 }
 
 /* Reports how many overlap; of any, whether there is one, which then stands in number[0]; of words, how many there are. */

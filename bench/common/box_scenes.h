@@ -7,10 +7,9 @@
 typedef struct soup_room {
     tribox_soup soup;          /* the streams, to be read */
     float *x[3], *y[3], *z[3]; /* the same, to be written */
-    void *storage;
 } soup_room;
 
-/* Streams that begin on cache lines, no two of them at the same place of a page. */
+/* Of asked_allocate, as all here: streams that begin on cache lines, no two of them at the same place of a page. */
 void soup_room_make(size_t count, soup_room *made);
 
 /* Triangle i as vertices: u[v][a] is axis a of vertex v. */
@@ -22,13 +21,12 @@ typedef struct index_scene {
     tribox_box bounds;
 } index_scene;
 
-/* A mesh of a file. False, with a message, if it cannot be read; index_scene_free follows success. */
+/* A mesh of a file. False, with a message, if it cannot be read. */
 bool index_scene_read(const char *name, index_scene *made);
 
 /* A torus of 200,000 triangles; as many anywhere, a hundredth of the whole long; twelve across the whole. */
 typedef enum made_scene { SCENE_TORUS, SCENE_SMALL, SCENE_HUGE, MADE_SCENES } made_scene;
 void index_scene_make(made_scene which, uint64_t seed, index_scene *made);
-void index_scene_free(index_scene *scene);
 
 /* Its triangles as one job against its bounds. False, with a message, if memory fails. */
 bool index_scene_work(const index_scene *scene, timing_work *made);
@@ -73,8 +71,6 @@ typedef struct ordered_soup {
 /* tries: of which the least times are kept. kernel: of the index. False, with a message, if the library fails. */
 bool ordered_soup_make(const index_scene *scene, int tries, const char *kernel, ordered_soup *made);
 
-void ordered_soup_free(ordered_soup *made);
-
 typedef enum index_form { FORM_LIST, FORM_COUNT, FORM_ANY, FORM_WORDS, FORM_MASK, FORM_LINEAR, FORMS } index_form;
 
 const char *index_form_name(index_form form);
@@ -83,13 +79,11 @@ const char *index_form_name(index_form form);
 typedef struct answer_room {
     uint32_t *list, *number;
     uint64_t *bits, *mask, *linear;
-    void *storage;
     void *elsewhere; /* other memory, to empty the caches with */
     size_t elsewhere_bytes;
 } answer_room;
 
 void answer_room_make(size_t triangles, size_t elsewhere_bytes, answer_room *made);
-void answer_room_free(answer_room *made);
 
 /* Boxes, axis-aligned or turned, asked one after the other of an index over a soup or a mesh. */
 typedef struct index_question {

@@ -105,8 +105,6 @@ static void field_free(field *f)
         free(f->peers[p].lists.list);
         free(f->peers[p].lists.start);
     }
-    ordered_soup_free(&f->soup);
-    answer_room_free(&f->room);
     free(f->triangles);
     free(f->list);
     free(f->start);
@@ -405,7 +403,6 @@ static bool run_scene(asked *q, const index_scene *at, size_t number)
     if (is_run)
         tell_errors(&q->out, &f, PEER_SIZES * count, hits, unlike);
     field_free(&f);
-    free(boxes);
     return is_run;
 }
 
