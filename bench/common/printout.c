@@ -10,41 +10,27 @@
 
 enum { LINE = 512 };
 
-/* On what a figure was measured. */
-typedef struct machine {
-    char processor[128]; /* as the operating system names it */
-    bool is_virtual;     /* a hypervisor shows itself */
-    double load;         /* processes that wanted to run in the last minute; negative if unknown */
-    const char *compiler, *flags, *commit;
-} machine;
-
-/* The value of a "key : value" line, or NULL. */
-static const char *value_of(char *line, const char *key)
-{
-    char *const colon = strchr(line, ':');
-    if (!colon || strncmp(line, key, strlen(key)) != 0)
-        return NULL;
-    line[strcspn(line, "\n")] = 0;
-    return colon + 1 + strspn(colon + 1, " ");
-}
-
-/* Linux only; elsewhere nothing is found, and said. */
-static void read_processor(machine *m)
+/* The processor as the operating system names it, and whether a hypervisor shows itself. Linux only; elsewhere nothing is found. */
+static bool read_processor(char name[LINE])
 {
     char line[8192];
+    bool is_virtual = false;
     FILE *const file = fopen("/proc/cpuinfo", "r");
+    snprintf(name, LINE, "unknown processor");
     while (file && fgets(line, sizeof line, file)) {
-        const char *const name = value_of(line, "model name");
-        if (name)
-            snprintf(m->processor, sizeof m->processor, "%s", name);
-        const char *const features = value_of(line, "flags");
-        if (features && strstr(features, "hypervisor"))
-            m->is_virtual = true;
+        const char *const value = strchr(line, ':');
+        line[strcspn(line, "\n")] = 0;
+        if (value && !strncmp(line, "model name", strlen("model name")))
+            snprintf(name, LINE - 16, "%s", value + 1 + strspn(value + 1, " "));
+        is_virtual = is_virtual || (!strncmp(line, "flags", strlen("flags")) && strstr(line, "hypervisor"));
     }
     if (file)
         fclose(file);
+    strcat(name, is_virtual ? ", virtual" : "");
+    return is_virtual;
 }
 
+/* Processes that wanted to run in the last minute; negative if unknown. */
 static double read_load(void)
 {
     double load = -1;
@@ -54,14 +40,6 @@ static double read_load(void)
     if (file)
         fclose(file);
     return load;
-}
-
-static machine machine_here(void)
-{
-    machine m = {.processor = "unknown processor", .compiler = BENCH_COMPILER, .flags = BENCH_FLAGS, .commit = BENCH_COMMIT};
-    read_processor(&m);
-    m.load = read_load();
-    return m;
 }
 
 /* An absolute path says nothing on another machine: its last part stands for it. */
@@ -87,25 +65,24 @@ static void tell(printout *r, const char *name, const char *value)
 
 void printout_begin(printout *r, int argc, char **argv, uint64_t seed, const char *kernel)
 {
-    const machine on = machine_here();
     char line[LINE];
+    const bool is_virtual = read_processor(line);
     r->to = json_to(stdout);
     if (r->is_json)
         json_open_object(&r->to, NULL);
-    snprintf(line, sizeof line, "%s%s", on.processor, on.is_virtual ? ", virtual" : "");
     tell(r, "processor", line);
-    tell(r, "compiler", on.compiler);
-    snprintf(line, sizeof line, "%s; baseline for: %s", on.flags, paper_instruction_set());
+    tell(r, "compiler", BENCH_COMPILER);
+    snprintf(line, sizeof line, "%s; baseline for: %s", BENCH_FLAGS, paper_instruction_set());
     tell(r, "flags", line);
-    tell(r, "commit", on.commit);
+    tell(r, "commit", BENCH_COMMIT);
     command_line(argc, argv, line);
     tell(r, "command", line);
     snprintf(line, sizeof line, "%llu", (unsigned long long)seed);
     tell(r, "seed", line);
     tell(r, "kernel", kernel);
     snprintf(line, sizeof line,
-             "one thread, not pinned; processor time, no hardware counters; load average %.2f before the start%s", on.load,
-             on.is_virtual ? "; a virtual machine, whose host may be shared" : "");
+             "one thread, not pinned; processor time, no hardware counters; load average %.2f before the start%s", read_load(),
+             is_virtual ? "; a virtual machine, whose host may be shared" : "");
     tell(r, "limits", line);
     if (r->is_json)
         json_open_rows(&r->to, "tables");
