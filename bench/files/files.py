@@ -11,10 +11,10 @@ ROUNDS, CELLS = int(os.environ.get("ROUNDS", "5")), os.environ.get("CELLS", "256
 FORMATS, THREADS = os.environ.get("FORMATS", "npz vdb npy nrrd raw").split(), os.environ.get("THREADS", "1 2").split()
 
 
-def run(arguments):
+def run(arguments, **how):
     """Wall and processor time in milliseconds."""
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    subprocess.run(arguments, check=True)
+    subprocess.run(arguments, check=True, **how)
     wall, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     return 1e3 * wall, 1e3 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
 
@@ -36,4 +36,5 @@ def main():
                                                                        disk[program]), flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

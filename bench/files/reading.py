@@ -6,11 +6,12 @@ the file to its triangles."""
 import ctypes
 import ctypes.util
 import os
-import resource
 import subprocess
 import sys
 import tempfile
 import time
+
+from files import run
 
 ROUNDS = int(os.environ.get("ROUNDS", "9"))
 FORMATS = (("plyb", "binary.ply"), ("ply", "text.ply"), ("obj", "mesh.obj"), ("stlb", "binary.stl"), ("stl", "text.stl"))
@@ -26,10 +27,7 @@ assimp.aiExportScene.argtypes = ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_
 
 def by_program(program, path):
     """Processor and wall time in milliseconds."""
-    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    subprocess.run([program, "overlap", path, "--box", NOWHERE, "--threads", "1"], check=True, stdout=subprocess.DEVNULL)
-    wall, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
-    return 1e3 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime), 1e3 * wall
+    return run([program, "overlap", path, "--box", NOWHERE, "--threads", "1"], stdout=subprocess.DEVNULL)[::-1]
 
 
 def import_once(path):
