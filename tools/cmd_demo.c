@@ -17,7 +17,7 @@
 #include "picture/preview.h"
 #include "read/mesh.h"
 #include "timing/timing.h"
-#include "voxelize/grid_choice.h"
+#include "voxelize/grid_options.h"
 #include "voxelize/layers.h"
 
 static const char help[] = "tribox demo - speed and answers on two built-in scenes; needs no file\n"

@@ -4,7 +4,7 @@
 
 #include "things.h"
 #include "read/mesh.h"
-#include "voxelize/grid_choice.h"
+#include "voxelize/grid_options.h"
 #include "lines.h"
 #include "write/voxels.h"
 

@@ -3,8 +3,8 @@
 #define GRID_OPTIONS_H
 
 #include "console/option_reader.h"
-#include "grid_choice.h"
 #include "read/mesh.h"
+#include "tribox.h"
 
 /* They stand together in the tables of both commands, from a number on that each chooses. */
 enum { GRID_FORMAT, GRID_SHIFT, GRID_RESOLUTION, GRID_CELL, GRID_ORIGIN, GRID_SIZE, GRID_END };
@@ -22,6 +22,14 @@ enum { GRID_FORMAT, GRID_SHIFT, GRID_RESOLUTION, GRID_CELL, GRID_ORIGIN, GRID_SI
     "      --origin X,Y,Z      lower corner of the grid; default: that of the mesh\n" \
     "      --size NX,NY,NZ     number of cells; default: just enough to hold the mesh\n"
 
+/* The grid, from the command line and, for what that leaves open, from the mesh. */
+typedef struct grid_choice {
+    uint32_t resolution; /* cells along the longest side of the mesh; 0 where the cell is given */
+    double cell[3], origin[3];
+    bool has_origin, has_size;
+    uint32_t size[3];
+} grid_choice;
+
 typedef struct grid_request {
     const char *mesh_path;
     triangle_format format; /* of the mesh; OTHER to go by its name */
@@ -36,5 +44,14 @@ int grid_take(grid_request *r, int which, const char *value);
 
 /* Checks that a mesh and one grid are given; from: where the options begin in the table. Returns an exit_code. */
 int grid_check(const grid_request *r, const options_found *found, int from);
+
+/* Makes the grid around these bounds, not looked at where the grid is fixed. path: that of the mesh. Returns an exit_code. */
+int grid_choose_around(const grid_choice *choice, const char *path, const tribox_box *bounds, tribox_grid *grid);
+
+/* Whether nothing of the grid is left to the mesh. */
+bool grid_is_fixed(const grid_choice *choice);
+
+/* Makes the grid; it holds the mesh where size and origin are left open. path: that of the mesh. Returns an exit_code. */
+int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid *grid);
 
 #endif
