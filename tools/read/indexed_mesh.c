@@ -180,7 +180,9 @@ int indexed_mesh_reserve_face(const char *path, uint64_t corners, indexed_mesh *
 
 int indexed_mesh_add_triangle(const char *path, uint32_t a, uint32_t b, uint32_t c, indexed_mesh *m)
 {
-    uint32_t *const corners = memory_grow(m->corners, m->triangles + 1, &m->triangles_max, sizeof(uint32_t[3]));
+    uint32_t *const corners = m->triangles < m->triangles_max
+                                  ? m->corners
+                                  : memory_grow(m->corners, m->triangles + 1, &m->triangles_max, sizeof(uint32_t[3]));
     if (!corners)
         return message_failure("%s: out of memory for more than %zu triangles", path, m->triangles);
     m->corners = corners;
