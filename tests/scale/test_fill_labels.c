@@ -7,7 +7,7 @@
 
 enum { PAIRS = 100000, ROUNDS = 1200, PARTS_MAX = 4096 };
 
-/* ------------------------------------------------------ walls that are hard to flood: corridors of one cell, shells, combs, noise */
+/* ----------------------------------------------------------------------------------------- walls that are hard to flood */
 
 enum { WALLS_CELLS = 40000 };
 
