@@ -2,7 +2,8 @@
 # An example compiles by the line in its first comment, against the installed library, and prints what it should:
 # example.sh EXAMPLE.c EXPECTED.txt
 # In EXPECTED.txt "*" stands for a time or a word that differs between machines.
-. "$(dirname "$0")/../package/installed.sh"
+. "$(dirname "$0")/../package/parts.sh"
+install_build
 
 source=$1 expected=$2
 name=$(basename "$source" .c)

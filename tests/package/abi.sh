@@ -2,15 +2,13 @@
 # The library's binary interface is the recorded one, to which functions may be added: abi.sh ROOT [record]
 # The record is libtribox1.abi, beside this script; `record` writes it anew, with a release that adds to it. Kernels export nothing,
 # and are left out.
-set -eu
-root=$1 here=$(cd "$(dirname "$0")" && pwd)
+. "$(dirname "$0")/parts.sh"
+root=$1
 record=$here/libtribox1.abi
 for program in gcc abidw abidiff; do
-    command -v $program >/dev/null || { echo "there is no $program (Debian: abigail-tools): skipped"; exit 77; }
+    command -v $program >/dev/null || skip "there is no $program (Debian: abigail-tools)"
 done
-test "$(uname -m)" = x86_64 || { echo 'the record is of x86-64: skipped'; exit 77; }
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+test "$(uname -m)" = x86_64 || skip 'the record is of x86-64'
 
 # library ROOT FILE...: compiles these files, and puts all that is compiled into one library
 library() {
@@ -29,10 +27,7 @@ if test "${2-}" = record; then
     cp "$work/libtribox1.abi" "$record"
     exit
 fi
-abidiff --no-added-syms "$record" "$work/libtribox1.abi" || {
-    echo 'programs built with an earlier 1.x would break' >&2
-    exit 1
-}
+abidiff --no-added-syms "$record" "$work/libtribox1.abi" || die 'programs built with an earlier 1.x would break'
 
 # A function that loses its argument is seen.
 mkdir "$work/lost"
@@ -40,8 +35,6 @@ cp -R "$root/include" "$root/src" "$work/lost"
 sed -i -e 's/tribox_mask_words(size_t count)/tribox_mask_words(void)/' -e '/tribox_mask_words(/s/tribox_words_of(count)/0/' \
     "$work/lost/include/tribox.h" "$work/lost/src/base/mask.c"
 library "$work/lost" "$work/lost/src/base/mask.c"
-if abidiff --no-added-syms "$record" "$work/libtribox1.abi" >"$work/seen"; then
-    echo 'tribox_mask_words loses its argument, and nothing is seen' >&2
-    exit 1
-fi
+! abidiff --no-added-syms "$record" "$work/libtribox1.abi" >"$work/seen" ||
+    die 'tribox_mask_words loses its argument, and nothing is seen'
 grep -q tribox_mask_words "$work/seen"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # A program in C and in C++ finds the installed library through CMake, shared and static, in a version that serves it.
-. "$(dirname "$0")/installed.sh"
+. "$(dirname "$0")/parts.sh"
+install_build
 
 test -n "$(find "$root" -name triboxConfig.cmake)" || die "no CMake package is installed"
 export CC="${CC##* }" CXX="${CXX##* }" CFLAGS="$SANITIZER" CXXFLAGS="$SANITIZER"

@@ -4,19 +4,9 @@
 #   FetchContent, add_subdirectory, and find_package of what is installed and then moved
 #   the kernels and the exported symbols are those of LIBRARY, meson's shared one, and the answers have the digests of tests/cross
 # Not optimised, and compiled once: all ways share a build folder, as each is to give the same files the same flags.
-set -eu
+. "$(dirname "$0")/parts.sh"
 root=$1 library=$2
-here=$(cd "$(dirname "$0")" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$here/snapshot.sh"
-. "$here/digests.sh"
 export CC="${CC##* }" CXX="${CXX##* }" CFLAGS="-Werror" # these warnings are the compiler's defaults
-
-die() {
-    echo "$*" >&2
-    exit 1
-}
 
 snapshot "$root" "$work/repository"
 version=$("$root/packaging/version.sh")

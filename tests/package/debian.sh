@@ -1,20 +1,16 @@
 #!/bin/sh
 # The Debian packages build, lintian neither errs nor warns, and what is in them works: debian.sh ROOT [DEB_BUILD_OPTIONS]
 # By default they are built without optimisation and tests, which take minutes: 'parallel=2' builds them as Debian would.
-set -eu
+. "$(dirname "$0")/parts.sh"
 root=$1
 export DEB_BUILD_OPTIONS="${2-noopt nocheck}"
-here=$(cd "$(dirname "$0")" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$here/snapshot.sh"
 
 for program in dpkg-buildpackage dh lintian fakeroot; do
-    command -v $program >/dev/null || { echo "there is no $program: skipped"; exit 77; }
+    command -v $program >/dev/null || skip "there is no $program"
 done
 snapshot "$root" "$work/repository"
 cp -R "$root/packaging/debian" "$work/debian"
-(cd "$work" && dpkg-checkbuilddeps) || { echo "a package to build with is missing: skipped"; exit 77; }
+(cd "$work" && dpkg-checkbuilddeps) || skip "a package to build with is missing"
 
 # The compilers and flags of a package are Debian's.
 env -u CC -u CXX -u CFLAGS -u CXXFLAGS -u LDFLAGS "$work/repository/packaging/debian.sh" "$work/out" >"$work/log" 2>&1 || {

@@ -1,22 +1,16 @@
 #!/bin/sh
 # Kernels are chosen at build time, by meson and by CMake alike, and a name that is none is refused: kernels.sh ROOT FOLDER
 # The build is kept in FOLDER. Wants $MESON.
-set -eu
-root=$1 folder=$2 here=$(cd "$(dirname "$0")" && pwd)
-test "$(uname -m)" = x86_64 || { echo 'the kernels that are named here are those of x86-64: skipped'; exit 77; }
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/parts.sh"
+root=$1 folder=$2
+test "$(uname -m)" = x86_64 || skip 'the kernels that are named here are those of x86-64'
 export CC="${CC##* }"
-. "$here/digests.sh"
 
 # refuses NAMES COMMAND...: and says which there are
 refuses() {
     names=$1
     shift
-    if "$@" >"$work/log" 2>&1; then
-        echo "takes $names: $*" >&2
-        exit 1
-    fi
+    ! "$@" >"$work/log" 2>&1 || die "takes $names: $*"
     tr -s ' \n' ' ' <"$work/log" | grep -q 'no kernel "[A-Za-z0-9]*" for this processor: .* some of scalar, sse2, avx2, avx512' ||
         { cat "$work/log" >&2; exit 1; }
 }
@@ -42,7 +36,7 @@ add_subdirectory("$root" tribox)
 END
 if cmake --version | grep -Eq ' (3\.(2[1-9]|[3-9][0-9])|[4-9]\.)'; then # older ones take what is in the cache
     cmake -S "$work/project" -B "$work/project/build" >/dev/null
-    ! grep -rq avx2 "$work/project/build/tribox" || { echo 'set(TRIBOX_KERNELS sse2) is ignored' >&2; exit 1; }
+    ! grep -rq avx2 "$work/project/build/tribox" || die 'set(TRIBOX_KERNELS sse2) is ignored'
 fi
 
 # Quickly rather than fast, as on other processors.

@@ -1,7 +1,8 @@
 #!/bin/sh
 # The manual pages draw no warning from mandoc and groff, and the example of tribox(3) compiles and runs: manual.sh ROOT LIBDIR
 # The installed page is found under the name of every function.
-. "$(dirname "$0")/installed.sh"
+. "$(dirname "$0")/parts.sh"
+install_build
 source=$1 libdir_built=$2
 page=$(find "$root" -name tribox.3)
 

@@ -1,6 +1,7 @@
 #!/bin/sh
 # A program in C and in C++ finds the installed library through pkg-config, shared and static, and gets right answers.
-. "$(dirname "$0")/installed.sh"
+. "$(dirname "$0")/parts.sh"
+install_build
 
 export PKG_CONFIG_LIBDIR="$libdir/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$root"
 export PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1

@@ -3,10 +3,8 @@
 #   example  the first C block with a main of each page that has one compiles without a warning and runs
 #   by-hand  the block of BUILD.md with "ar rcs" builds without meson or CMake, on x86-64; the program that it makes runs, and the library has
 #            the kernels of the one in LIBDIR
-set -eu
+. "$(dirname "$0")/parts.sh"
 what=$1 root=$2 libdir=$3
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 # The first fenced block of a page whose opening line and text match: block PAGE FENCE TEXT
 block() {
@@ -16,18 +14,13 @@ block() {
         inside            { body = body $0 "\n" }' "$root/$1"
 }
 
-skip() {
-    echo "$*: skipped"
-    exit 77
-}
-
 test -f "$root/README.md" || skip "there is no README.md"
 example=$(block README.md '^```c$' 'int main')
 
 if test "$what" = example; then
     for page in README.md examples/README.md; do
         block "$page" '^```c$' 'int main' >"$work/example.c"
-        test -s "$work/example.c" || { echo "$page has no C block with a main" >&2; exit 1; }
+        test -s "$work/example.c" || die "$page has no C block with a main"
         $CC $SANITIZER -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$work/example.c" -o "$work/example" \
             -L"$libdir" -ltribox -lm -Wl,-rpath,"$libdir"
         "$work/example"
@@ -52,4 +45,4 @@ consumer=$root/tests/package/consumer/consumer.c
 cc -Iinclude "$consumer" libtribox.a -lm -o by_hand
 cc -Iinclude "$consumer" -L"$libdir" -ltribox -lm -Wl,-rpath,"$libdir" -o by_meson
 ./by_meson kernels >kernels
-./by_hand kernels | diff kernels - || { echo "other kernels (>) than meson's library has (<)" >&2; exit 1; }
+./by_hand kernels | diff kernels - || die "other kernels (>) than meson's library has (<)"

@@ -2,13 +2,9 @@
 # Two builds of the libraries in different folders are the same, byte for byte: same_bytes.sh ROOT
 # With debug information, for which the compiler has to be told to forget where the source lay; without, see release.sh.
 # Not optimised, in a third of the time: what tells folders apart is in paths, dates and archives.
-set -eu
+. "$(dirname "$0")/parts.sh"
 root=$1
 version=$("$root/packaging/version.sh")
-here=$(cd "$(dirname "$0")" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$here/same_library.sh"
 export CCACHE_DISABLE=1 # or the second build would be a copy of the first
 
 # build SOURCE BUILD ARGUMENTS...: a copy of the tree, built

@@ -4,12 +4,8 @@
 #   tree       the source tree lies under subprojects/; this one is built, the others have the same files
 #   wrap-git   a wrap file names a git repository
 #   wrap-file  a wrap file names the tarball of a release, and its hash
-set -eu
+. "$(dirname "$0")/parts.sh"
 how=$1 root=$2
-here=$(cd "$(dirname "$0")" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$here/snapshot.sh"
 
 cp -R "$here/consumer" "$work/consumer"
 subprojects=$work/consumer/subprojects
@@ -22,39 +18,22 @@ tree)
     ;;
 wrap-git)
     snapshot "$root" "$work/repository"
-    cat >"$subprojects/tribox.wrap" <<END
-[wrap-git]
-url = file://$work/repository
-revision = main
-depth = 1
-
-[provide]
-dependency_names = tribox
-END
+    printf '%s\n' '[wrap-git]' "url = file://$work/repository" 'revision = main' 'depth = 1' >"$subprojects/tribox.wrap"
     ;;
 wrap-file)
     snapshot "$root" "$work/tribox-$version"
     git -C "$work/tribox-$version" archive --prefix="tribox-$version/" -o "$work/tribox-$version.tar.gz" main
     hash=$(sha256sum "$work/tribox-$version.tar.gz")
-    cat >"$subprojects/tribox.wrap" <<END
-[wrap-file]
-directory = tribox-$version
-source_url = file://$work/tribox-$version.tar.gz
-source_filename = tribox-$version.tar.gz
-source_hash = ${hash%% *}
-
-[provide]
-dependency_names = tribox
-END
+    printf '%s\n' '[wrap-file]' "directory = tribox-$version" "source_url = file://$work/tribox-$version.tar.gz" \
+        "source_filename = tribox-$version.tar.gz" "source_hash = ${hash%% *}" >"$subprojects/tribox.wrap"
     ;;
 esac
+test "$how" = tree || printf '\n%s\n' '[provide]' 'dependency_names = tribox' >>"$subprojects/tribox.wrap"
 
 # Not optimised, the kernels take seconds to compile instead of minutes.
 "$MESON" setup "$work/build" "$work/consumer" -Doptimization=0 --force-fallback-for=tribox
-if "$MESON" introspect --targets "$work/build" | grep -qE '/subprojects/tribox[^/"]*/(tools|python|bench|tests)/'; then
-    echo 'a project that uses tribox builds more of it than the library' >&2
-    exit 1
-fi
+! "$MESON" introspect --targets "$work/build" | grep -qE '/subprojects/tribox[^/"]*/(tools|python|bench|tests)/' ||
+    die 'a project that uses tribox builds more of it than the library'
 if test "$how" = tree; then
     "$MESON" test -C "$work/build" consumer
 else

@@ -1,7 +1,8 @@
 #!/bin/sh
 # The installed module finds the installed library, and is right: installed.sh TEST.py ...
 # There are two ways to the library: by its name, as after ldconfig, and by TRIBOX_LIBRARY.
-. "$(dirname "$0")/../package/installed.sh"
+. "$(dirname "$0")/../package/parts.sh"
+install_build
 
 module=$(find "$root" -path '*/tribox/__init__.py')
 test -n "$module" || die "the module is not installed"

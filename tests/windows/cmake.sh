@@ -1,14 +1,10 @@
 #!/bin/sh
 # CMake builds the DLL for Windows as meson does, for a project that adds it or finds it installed; the answers are right under wine:
 # cmake.sh ROOT FOLDER. Wants $MESON.
-set -eu
-root=$1 folder=$2 here=$(cd "$(dirname "$0")" && pwd)
-package=$root/tests/package
+root=$1 folder=$2 package=$1/tests/package
+. "$package/parts.sh"
 "$here/build.sh" "$root" "$folder"
-command -v cmake >/dev/null || { echo "no cmake: skipped"; exit 77; }
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$package/digests.sh"
+command -v cmake >/dev/null || skip "no cmake"
 toolchain='-DCMAKE_SYSTEM_NAME=Windows -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc-posix -DCMAKE_BUILD_TYPE=None'
 cc='x86_64-w64-mingw32-gcc-posix -D__USE_MINGW_ANSI_STDIO=1 -static'
 

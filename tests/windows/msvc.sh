@@ -3,15 +3,12 @@
 # msvc.sh ROOT FOLDER clang-cl|cl. Wants $MESON.
 #   cl   clang pretends to be cl.exe (msvc/as_cl.h), to CMake as well, so that what is for it runs too; cl.exe itself never does
 # CMake builds it, by the flags that it gives clang-cl. mingw's linker puts it to programs: both follow Windows' calling convention.
-set -eu
-root=$1 folder=$2 how=$3 here=$(cd "$(dirname "$0")" && pwd)
+root=$1 folder=$2 how=$3
+. "$root/tests/package/parts.sh"
 for program in cmake clang-cl-19 llvm-lib-19; do
-    command -v $program >/dev/null || { echo "no $program: skipped"; exit 77; }
+    command -v $program >/dev/null || skip "no $program"
 done
 "$here/build.sh" "$root" "$folder"
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$root/tests/package/digests.sh"
 
 ln -s "$root" "$work/root" # clang posing as cl takes a path that begins with /w for an option
 flags="/Od /W4 /WX /GS- /Zl /imsvc $here/msvc/headers"
