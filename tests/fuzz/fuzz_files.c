@@ -1,6 +1,6 @@
 /*
- * fuzz_files.c - the readers of files of the program: meshes, boxes, parts, partitions, and triangles one after another.
- * The first byte chooses the reader, the others are the file.
+ * fuzz_files.c - the readers of files of the program other than meshes: boxes, parts, partitions, and triangles one after
+ * another. The first byte chooses the reader, the others are the file.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -15,7 +15,6 @@
 #include "partition/partition.h"
 #include "read/boxes.h"
 #include "read/little.h"
-#include "read/scan.h"
 #include "read/triangle_file.h"
 #include "write/checksum.h"
 #include "write/part.h"
@@ -25,61 +24,6 @@ typedef struct bytes {
     const uint8_t *first;
     size_t size;
 } bytes;
-
-/* In memory of its own, with the NUL byte that whole_file promises and nothing after it. */
-static whole_file file_of(bytes b)
-{
-    whole_file file = {malloc(b.size + 1), b.size};
-    ensure(file.bytes, "no memory");
-    memcpy(file.bytes, b.first, b.size);
-    file.bytes[b.size] = '\0';
-    return file;
-}
-
-/* Doubles become floats where float holds all of them, and stay where it does not. */
-static void check_numbers(indexed_mesh *m)
-{
-    const bool is_double = m->position_bytes == sizeof(double);
-    size_t fits = 0;
-    for (size_t i = 0; is_double && i < 3 * m->vertices; i++)
-        fits += float_fit_of(((const double *)m->positions)[i]) == FLOAT_FIT_EXACT;
-    ensure(!is_double || (fits == 3 * m->vertices) == (m->fit == FLOAT_FIT_EXACT), "%zu of %zu numbers are floats", fits,
-           3 * m->vertices);
-    indexed_mesh_narrow(m);
-    ensure(!m->vertices || (m->position_bytes == sizeof(double)) == (m->fit == FLOAT_FIT_NONE), "numbers of %u bytes",
-           m->position_bytes);
-}
-
-/* Every corner of a triangle is a vertex that was read, and memory is in proportion to the file. */
-static void check_mesh(indexed_mesh *m, size_t size)
-{
-    for (size_t i = 0; i < 3 * m->triangles; i++)
-        ensure(m->corners[i] < m->vertices, "triangle %zu has vertex %u of %zu", i / 3, m->corners[i], m->vertices);
-    ensure(m->vertices <= m->vertices_max && m->vertices_max <= size + 1024, "room for %zu vertices of %zu bytes", m->vertices_max,
-           size);
-    ensure(m->triangles <= size && m->face_max <= 4 * size, "%zu triangles of %zu bytes", m->triangles, size);
-}
-
-static void read_mesh(bytes b, const char *name, mesh_kind kind)
-{
-    whole_file file = file_of(b);
-    indexed_mesh m = {.positions = NULL};
-    const int code = scan_read(name, kind, &file, &m);
-    lines_fit(name, code);
-    check_mesh(&m, b.size);
-    if (!code)
-        check_numbers(&m);
-    indexed_mesh_free(&m);
-    whole_file_free(&file);
-}
-
-static void read_any_ply(bytes b) { read_mesh(b, "a.ply", MESH_PLY); }
-
-static void read_any_off(bytes b) { read_mesh(b, "a.off", MESH_OFF); }
-
-static void read_any_obj(bytes b) { read_mesh(b, "a.obj", MESH_OBJ); }
-
-static void read_any_stl(bytes b) { read_mesh(b, "a.stl", MESH_STL_TEXT); }
 
 static bool is_same_box(const tribox_box *one, const tribox_box *other)
 {
@@ -318,8 +262,7 @@ static void read_triangles(bytes b)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static void (*const readers[])(bytes) = {read_any_ply, read_any_off,   read_any_stl, read_boxes,
-                                             read_parts,   read_triangles, read_any_obj, read_partition};
+    static void (*const readers[])(bytes) = {read_boxes, read_parts, read_triangles, read_partition};
     if (!size)
         return 0;
     lines_forget();

@@ -1,14 +1,61 @@
 /*
  * fuzz_meshes.c - whole files of meshes, the fast way and the one that knows every spelling: what the first reads the second reads
- * as well, and both make the same mesh. The first byte chooses the name's ending, the threads and whether numbers stay doubles, the
- * second how long the parts of a text are.
+ * as well, and both make the same mesh; and what scanners take up of a file. The first byte chooses the name's ending, the threads
+ * and whether numbers stay doubles, the second how long the parts of a text are.
  */
+#include <stdlib.h>
+#include <string.h>
+
 #include "ensure.h"
 #include "lines.h"
+#include "read/scan.h"
 #include "same_mesh.h"
 
 static const char *const names[] = {"a.ply", "a.obj", "a.stl", "a.off"};
+static const mesh_kind kinds[] = {MESH_PLY, MESH_OBJ, MESH_STL_TEXT, MESH_OFF};
 enum { NAMES = sizeof names / sizeof names[0] };
+
+/* Doubles become floats where float holds all of them, and stay where it does not. */
+static void check_numbers(indexed_mesh *m)
+{
+    const bool is_double = m->position_bytes == sizeof(double);
+    size_t fits = 0;
+    for (size_t i = 0; is_double && i < 3 * m->vertices; i++)
+        fits += float_fit_of(((const double *)m->positions)[i]) == FLOAT_FIT_EXACT;
+    ensure(!is_double || (fits == 3 * m->vertices) == (m->fit == FLOAT_FIT_EXACT), "%zu of %zu numbers are floats", fits,
+           3 * m->vertices);
+    indexed_mesh_narrow(m);
+    ensure(!m->vertices || (m->position_bytes == sizeof(double)) == (m->fit == FLOAT_FIT_NONE), "numbers of %u bytes",
+           m->position_bytes);
+}
+
+/* Every corner of a triangle is a vertex that was read, and memory is in proportion to the file. */
+static void check_mesh(const indexed_mesh *m, size_t size)
+{
+    for (size_t i = 0; i < 3 * m->triangles; i++)
+        ensure(m->corners[i] < m->vertices, "triangle %zu has vertex %u of %zu", i / 3, m->corners[i], m->vertices);
+    ensure(m->vertices <= m->vertices_max && m->vertices_max <= size + 1024, "room for %zu vertices of %zu bytes", m->vertices_max,
+           size);
+    ensure(m->triangles <= size && m->face_max <= 4 * size, "%zu triangles of %zu bytes", m->triangles, size);
+}
+
+/* In memory of its own, with the NUL byte that whole_file promises and nothing after it. */
+static void scan_file(const char *name, mesh_kind kind, const uint8_t *bytes, size_t size)
+{
+    whole_file file = {malloc(size + 1), size};
+    indexed_mesh m = {.positions = NULL};
+    ensure(file.bytes, "no memory");
+    memcpy(file.bytes, bytes, size);
+    file.bytes[size] = '\0';
+    lines_forget();
+    const int code = scan_read(name, kind, &file, &m);
+    lines_fit(name, code);
+    check_mesh(&m, size);
+    if (!code)
+        check_numbers(&m);
+    indexed_mesh_free(&m);
+    whole_file_free(&file);
+}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -17,6 +64,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     mesh plain = {.coordinates = NULL}, slow = {.coordinates = NULL};
     const bool is_wide = data[0] & 64;
+    scan_file(names[data[0] % NAMES], kinds[data[0] % NAMES], data + 2, size - 2);
     const char *const path = lines_file(names[data[0] % NAMES], data + 2, size - 2);
     lines_forget();
     const bool is_plain = mesh_read_plain(path, is_wide, threads[data[0] / NAMES % 4], 1 + (size_t)data[1], &plain);

@@ -44,7 +44,7 @@ fuzz()
 {
     mkdir -p "$corpus/$1"
     dictionary=
-    case $1 in files | meshes | command) dictionary=-dict=$here/parsers.dict ;; esac
+    case $1 in files | meshes | command) dictionary=-dict=$build/tests/fuzz/seeds/words ;; esac
     seeds=$build/tests/fuzz/seeds/$1
     test ! -d "$here/found/$1" || seeds="$seeds $here/found/$1"
     cd "$TMPDIR"

@@ -1,4 +1,4 @@
-"""Writes the first inputs of the fuzz targets into a new folder, and prints their names: python3 seeds.py FOLDER
+"""Writes the first inputs of the fuzz targets into a new folder, with a dictionary, and prints their names: python3 seeds.py FOLDER
 
 input.c and the targets say what the bytes mean. Inputs for which a fault was once found are kept in found/.
 """
@@ -248,6 +248,9 @@ def ply_files():
     files["no_end"] = plain.replace(b"end_header\n", b"")
     files["many_properties"] = plain.replace(b"property float x", b"property float x\n" * 257)
     files["first_byte_lf"] = binary.replace(b"end_header\n", b"end_header\n\n")
+    for name, form in {"ascii": b"ascii", "little": b"binary_little_endian", "big": b"binary_big_endian"}.items():
+        face = ply(form)[-8 if name == "ascii" else -13:]
+        files["several_" + name] = ply(form).replace(b"element face 1", b"element face 3") + 2 * face
     wide_counts = ply(b"binary_little_endian", faces=9).replace(b"list uchar", b"list ushort")
     files["count_cut"] = wide_counts[:-13] + struct.pack("<H3iB", 3, 0, 1, 2, 1)
     return files
@@ -268,6 +271,7 @@ TEXT_STL = b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0
 
 def stl_files():
     return {"binary": BINARY_STL, "binary_cut": BINARY_STL[:-1], "text": TEXT_STL, "text_cut": TEXT_STL[:-11],
+            "two": TEXT_STL.replace(b"endsolid a", TEXT_STL[8:]),
             "solid_binary": b"solid" + BINARY_STL[5:], "huge": BINARY_STL[:80] + b"\xff" * 4 + BINARY_STL[84:]}
 
 
@@ -338,8 +342,7 @@ def obj_files():
 
 
 # In the order of the readers of fuzz_files.c.
-READERS = {"ply": ply_files, "off": off_files, "stl": stl_files, "boxes": boxes_files, "part": part_files,
-           "triangles": triangles_files, "obj": obj_files, "partition": partition_files}
+READERS = {"boxes": boxes_files, "part": part_files, "triangles": triangles_files, "partition": partition_files}
 
 
 def files():
@@ -348,32 +351,17 @@ def files():
 
 
 def meshes():
-    """Small files that are plain, then one change each: threads and parts differ."""
+    """The files of each format, in parts of several lengths and by several threads, and with a change each."""
     source = random.Random(9)
-    head = "ply\nformat %s 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 3\n"
-    ply = head + "property list uchar int vertex_indices\nend_header\n"
-    corners = (0, 1, 2, 1, 2, 3, 0, 3, 1)
-    numbers = (0, 0, 0, 1, 0, 0.1, 0, 1, 0, 0.25, 0.5, 1)
-    lines = ["v %g %g %g" % numbers[3 * v:3 * v + 3] for v in range(4)] + ["f %d/1 %d//2 %d" % tuple(c + 1 for c in corners[3 * f:3 * f + 3])
-                                                                         for f in range(3)]
-    facet = "facet normal 0 0 1\nouter loop\nvertex %g %g %g\nvertex %g %g %g\nvertex %g %g %g\nendloop\nendfacet\n"
-    texts = {
-        "obj": "# c\n" + "\n".join(lines) + "\n",
-        "stl": "solid a\n" + facet % numbers[:9] + facet % numbers[3:] + "endsolid a\n",
-        "ply": ply % "ascii" + "\n".join([line[2:] for line in lines[:4]] + ["3 %d %d %d" % corners[3 * f:3 * f + 3] for f in range(3)]) + "\n",
-    }
-    binary = {form: (ply % form).encode() + struct.pack(order + "12f", *numbers) +
-              b"".join(struct.pack(order + "B3i", 3, *corners[3 * f:3 * f + 3]) for f in range(3))
-              for form, order in (("binary_little_endian", "<"), ("binary_big_endian", ">"))}
-    endings = {"ply": 0, "obj": 1, "stl": 2}
-    files = {"%s_%d" % (form, n): bytes([4 * n, 255]) + content for form, content in binary.items() for n in range(4)}
-    for name, text in texts.items():
-        for part in (1, 7, 40, 255):
-            files["%s_%d" % (name, part)] = bytes([endings[name] + 4 * source.randrange(32), part - 1]) + text.encode()
-        for n in range(8):
-            at = source.randrange(len(text))
-            changed = text[:at] + source.choice(["\r", " ", "\t", "9", "-", "e", "\n", "nan"]) + text[at + n % 2:]
-            files["%s_changed_%d" % (name, n)] = bytes([endings[name] + 4 * n, 31]) + changed.encode()
+    files = {}
+    for ending, make in enumerate((ply_files, obj_files, stl_files, off_files)):
+        for name, content in make().items():
+            for number, part in enumerate((0, 6, 39, 254)):
+                head = bytes([ending + 4 * number + 64 * source.randrange(2), part])
+                files["%d_%s_%d" % (ending, name, part)] = head + content
+                at = source.randrange(len(content))
+                changed = content[:at] + source.choice([b"\r", b" ", b"\t", b"9", b"-", b"e", b"\n", b"nan"]) + content[at + number % 2:]
+                files["%d_%s_%d_changed" % (ending, name, part)] = head + changed
     return files
 
 
@@ -418,6 +406,15 @@ def command():
     return {name: "\n".join(line.split(" ")).encode() + b"\n" for name, line in lines.items()}
 
 
+# Words of the formats that the program reads, and of its command line.
+WORDS = ("ply\n|format ascii 1.0\n|format binary_little_endian 1.0\n|format binary_big_endian 1.0\n|element vertex |"
+         "element face |element tristrips |property float x\n|property list uchar int vertex_indices\n|"
+         "property list uint double vertex_index\n|uchar|uint64|end_header\n|end_header\r\n|OFF\n|STCN|v |f |vn |//|\\\n|solid |"
+         "facet|endsolid|18446744073709551615|4294967296|-1|1e39|0x1p-149|nan|inf|shard.npy|\x04\x03\x02\x01|overlap\n|"
+         "voxelize\n|merge\n|--box\n|--box=|--boxes\n|--oriented\n|--format\n|stl\n|f32\n|f64\n|--inside\n|--list\n|--json\n|"
+         "--accuracy\n|conservative\n|fast\n|--axes\n|box,plane,edges|--order\n|312\n|--kernel\n|scalar\n|--resolution\n|"
+         "--cell\n|--origin\n|--size\n|--shard\n|1/2\n|--threads\n|--preview\n|a.png\n|--up\n|-z\n|-o\n|a.npy\n|a.npz\n|"
+         "--quiet\n|--help\n|--\n").split("|")
 TARGETS = (triangles, index, cells, grid, files, meshes, command)
 
 
@@ -430,6 +427,8 @@ def main():
             with open(os.path.join(folder, name), "wb") as file:
                 file.write(content)
             print(f"{make.__name__}/{name}")
+    with open(os.path.join(sys.argv[1], "words"), "w", encoding="ascii") as file:
+        file.writelines('"%s"\n' % "".join(c if " " <= c and c not in '"\\' else "\\x%02x" % ord(c) for c in word) for word in WORDS)
 
 
 if __name__ == "__main__":
