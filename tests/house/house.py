@@ -10,7 +10,6 @@ ROOT = sys.argv[1]
 MOST = 15  # sources in a folder of src
 COLUMNS = 132
 SYSTEM = {"setjmp.h"}  # stands in for that of a system
-VOCABULARIES = ("scalar", "sse", "avx2", "avx512", "neon", "wasm")
 failures = []
 
 
@@ -38,6 +37,8 @@ def room_of(name):
 
 
 FILES = tracked()
+KERNELS = dict(re.findall(r"(?m)^(\w+) (\w+) \w+:", read("src/kernels.txt")))  # {kernel: its folder}
+VOCABULARIES = set(KERNELS.values())
 SOURCES = [name[4:] for name in FILES if re.fullmatch(r"src/.*\.[ch]", name)]
 
 # No two headers share a base name, and no folder of src is a heap.
@@ -77,6 +78,12 @@ for name in SOURCES:
         if include in VOCABULARIES and include != room:
             fail(f"src/{name}: knows an instruction set")
 
+# What users read names them all: WebAssembly has its own documents.
+for name in ("include/tribox.h", "tools/manual.txt", "CHANGELOG.md"):
+    for kernel in KERNELS:
+        if not re.search(rf"\b{kernel}\b", read(name)) and kernel != "wasm128":
+            fail(f"{name}: does not name the kernel {kernel} of src/kernels.txt")
+
 # Whatever computes asks the compiler for arithmetic as it is written; two files only count.
 def reach_file(name, seen):
     seen.add(name)
@@ -92,7 +99,7 @@ for name in SOURCES:
         fail(f"src/{name}: does not include base/compiler.h, not even through others")
 
 # No static name stands in two files: what a backtrace or grep shows is one thing. Words of a vocabulary are meant to be alike.
-WORDS = re.compile(r"src/(scalar|sse|avx2|avx512|neon|wasm)/|num_\w+\.h|exact_(short|long)\.c")
+WORDS = re.compile(rf"src/({'|'.join(VOCABULARIES)})/|num_\w+\.h|exact_(short|long)\.c")
 defined = collections.defaultdict(set)
 for name in FILES:
     if re.match(r"src/.*\.[ch]$", name) and not WORDS.search(name):

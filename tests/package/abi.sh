@@ -22,7 +22,7 @@ library() {
 }
 
 # shellcheck disable=SC2046
-library "$root" $(find "$root/src" -name '*.c' | grep -vE '/src/(scalar|sse|avx2|avx512|neon|wasm)/')
+library "$root" $(find "$root/src" -name '*.c' | grep -vE "/src/($(sed -n 's/^[a-z0-9]* \([a-z0-9]*\) .*:.*/\1/p' "$root/src/kernels.txt" | paste -sd'|'))/")
 if test "${2-}" = record; then
     cp "$work/libtribox1.abi" "$record"
     exit

@@ -6,6 +6,7 @@ import importlib
 import json
 import os
 import pty
+import re
 import resource
 import subprocess
 import sys
@@ -62,6 +63,13 @@ def start(*arguments, **how):
 @functools.lru_cache
 def kernels():
     return json.loads(run("info", "--json").stdout)["kernels"]
+
+
+@functools.lru_cache
+def formats():
+    """The words of --out-format, as the program lists them, of those that can be written here."""
+    words = re.findall(r"\w+", re.search("none of (.*);", run("voxelize", "--out-format", "?").stderr)[1].replace(" or ", " "))
+    return [word for word in words if word != "vdb" or not lacks("OpenVDB")]
 
 
 @functools.lru_cache

@@ -18,7 +18,6 @@ import triangles as meshes
 from harness import MIB, SEED, UNIT_BOX, read
 from test_cells import LATTICE, TILES, Voxels, grid_of
 
-FORMATS = ("npz", "npy", "cells", "vti", "nrrd", "raw", "binvox", "vox", "ply", "obj", "glb")
 TOO_LARGE = "cannot write all of it: File too large; nothing of it was kept"
 
 
@@ -36,7 +35,7 @@ class Places(Files):
         self.succeed("voxelize", self.mesh, "-r", "20", "--shard", "1/1", "-q", "-o", part)
         piped = harness.run("voxelize", self.mesh, "-r", "20", "--shard", "1/1", "-o", "-", "--out-format", "npz")
         self.assertEqual((piped.octets, piped.stderr), (read(part), ""))
-        for word in FORMATS:
+        for word in (word for word in harness.formats() if word != "vdb"):  # whose files differ by a number
             expected = self.out("voxelize", self.mesh, "-r", "20", "--out-format", word)
             for command in (("voxelize", self.mesh, "-r", "20"), ("merge", part)):
                 done = harness.run(*command, "--out-format", word, "-o", "-", env={"TMPDIR": temporary})
@@ -83,7 +82,7 @@ class Places(Files):
         os.close(takes_none)
         words = ("voxelize", self.mesh, "-o", "-", "--out-format")
         for place, reason in ((gone, "Broken pipe"), (os.open("/dev/full", os.O_WRONLY), "No space left on device")):
-            for word, size in itertools.product((*FORMATS, *(["vdb"] * (not harness.lacks("OpenVDB")))), ("4", "100")):
+            for word, size in itertools.product(harness.formats(), ("4", "100")):
                 result = harness.run(*words, word, "-r", size, stdout=place)
                 self.assertEqual(result.code, 1)
                 self.assert_one_line(result.stderr, "^tribox voxelize: cannot write the output: " + (reason if word != "vdb" else ""))
@@ -138,7 +137,7 @@ class Places(Files):
         self.succeed("voxelize", self.mesh, "-r", "90", "--shard", "1/1", "-q", "-o", part)
         self.succeed("partition", self.mesh, "-r", "90", "-q", "-o", self.path("tiles"))
         old = self.write("old", "what was there")
-        for word, limit in itertools.product((*FORMATS, *["vdb"] * (not harness.lacks("OpenVDB"))), (0, 100, 2000)):
+        for word, limit in itertools.product(harness.formats(), (0, 100, 2000)):
             self.fail_with(1, "old: " + (TOO_LARGE if word != "vdb" else ""), "voxelize", self.mesh, "-r", "90", "--out-format",
                            word, "-o", old, limit=(resource.RLIMIT_FSIZE, limit))
             if word != "vdb":
