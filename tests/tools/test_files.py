@@ -73,7 +73,7 @@ class Places(Files):
                            stdin=content)
         limit = self.need_limit(resource.RLIMIT_AS, 64 * MIB)
         self.fail_with(1, r"stdin: after \d+ triangles the next take [\d.]+ MiB of memory and [\d.]+ MiB are available; save the mesh as a file, which takes "
-                       "less", "voxelize", "-", "--format", "f32", "-c", "1", "-o", self.path("x.raw"), stdin=bytes(36 << 20),
+                       "less", "voxelize", "-", "--format", "f32", "-c", "1", "-o", self.path("x.raw"), stdin=bytes(72 << 20),
                        limit=limit)
 
     def test_nobody_takes_it(self):
