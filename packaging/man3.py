@@ -145,7 +145,8 @@ def paragraphs(comment):
 def joined(blocks):
     """Blocks as paragraphs. Lists and code make room for themselves."""
     blocks = list(blocks)
-    return "\n".join(block if number == 0 or block.startswith((".Bl", ".Bd")) else ".Pp\n" + block for number, block in enumerate(blocks))
+    return "\n".join(block if number == 0 or block.startswith((".Bl", ".Bd")) else ".Pp\n" + block for number,
+                     block in enumerate(blocks))
 
 
 def synopsis(code):
@@ -184,14 +185,16 @@ def page_of(header, example):
     status = next(entry for entry in declared if entry[1].endswith("} tribox_status;"))
     names = ["tribox", *(name for _, code in declared if is_function(code) for name in declared_by(code))]
 
-    yield HEAD.strip().format(date=DATE, title=re.match(r"/\*\n \* tribox\.h - (.*)", header)[1], names=" ,\n".join(f".Nm {name}" for name in names))
+    yield HEAD.strip().format(date=DATE, title=re.match(r"/\*\n \* tribox\.h - (.*)", header)[1],
+                              names=" ,\n".join(f".Nm {name}" for name in names))
     for title, entries in sections:
         calls = [synopsis(code) for _, code in entries if is_function(code)]
         if calls:
             yield "\n".join([f".Ss {title}", *calls])
     yield f".Sh DESCRIPTION\n{prose(introduction)}\n.Ss {promise}\n{listed(guarantees)}"
     for title, entries in sections:
-        yield "\n".join([f".Ss {title}", ".Bl -tag -width Ds", *(described(*entry) for entry in entries if entry is not status), ".El"])
+        yield "\n".join([f".Ss {title}", ".Bl -tag -width Ds", *(described(*entry) for entry in entries if entry is not status),
+                         ".El"])
     yield f".Sh RETURN VALUES\n{prose(RETURNS)}\n.Pp\n{joined(paragraphs(status[0]))}\n{listed(said_of_members(status[1]))}"
     yield EXAMPLES.strip().format(code=literal(example))
 

@@ -21,18 +21,21 @@ def run(arguments, **how):
 
 def main():
     programs = sys.argv[1].split(",")
-    print("| mesh | cells | file | threads | program | wall ms | processor ms | MB on disk |\n|---|---:|---|---:|---|---:|---:|---:|")
+    print("| mesh | cells | file | threads | program | wall ms | processor ms | MB on disk |\n"
+          "|---|---:|---|---:|---|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "out")
         for mesh, cells, word, threads in ((m, c, w, t) for m in sys.argv[2:] for c in CELLS for w in FORMATS for t in THREADS):
             times, disk = {p: [] for p in programs}, {}
             for program in programs * ROUNDS:
-                times[program].append(run([program, "voxelize", mesh, "-r", cells, "-t", threads, "-q", "--out-format", word, "-o", out]))
+                times[program].append(run([program, "voxelize", mesh, "-r", cells, "-t", threads, "-q", "--out-format", word, "-o",
+                                           out]))
                 disk[program] = os.stat(out).st_blocks / 2048
                 os.remove(out)
             for number, program in enumerate(programs, 1):
                 wall, used = (min(column) for column in zip(*times[program]))
-                print("| %s | %s | %s | %s | %d | %.0f | %.0f | %.2f |" % (os.path.basename(mesh), cells, word, threads, number, wall, used,
+                print("| %s | %s | %s | %s | %d | %.0f | %.0f | %.2f |" % (
+                    os.path.basename(mesh), cells, word, threads, number, wall, used,
                                                                        disk[program]), flush=True)
 
 

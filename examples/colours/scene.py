@@ -72,7 +72,8 @@ def main():
             file.writelines("v %.6f %.6f %.6f\n" % vertex for vertex in vertices)
             for material in MATERIALS:
                 file.write("usemtl %s\n" % material)
-                file.writelines("f %d %d %d %d\n" % tuple(first + n for n in corners) for name, corners in faces if name == material)
+                file.writelines("f %d %d %d %d\n" % tuple(first + n for n in corners) for name,
+                                corners in faces if name == material)
             first += len(vertices)
 
 

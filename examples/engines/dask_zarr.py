@@ -1,4 +1,4 @@
-"""A mesh into a Zarr array of packed cells, with Dask: python3 dask_zarr.py MESH RESOLUTION OUT.zarr [--ids] [--workers N] [--shards N]
+"""A mesh into a Zarr array of packed cells, with Dask: dask_zarr.py MESH RESOLUTION OUT.zarr [--ids] [--workers N] [--shards N]
 
 Word [k, j, i // 64] of the array has cell (i, j, k) as its bit i % 64, as Voxels.words has it; with --ids number [k, j, i] is that
 of the lowest triangle in the cell, -1 where there is none. Chunks without cells are not stored.

@@ -110,7 +110,8 @@ def check_size(held_, grid):
         shadows = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])).max(1, initial=0) / 2
         least += shadows.sum()
     if least > NUMBERS_MAX:
-        raise InputError(f"the answer would have at least {least:.3g} numbers of triangles, and can have {NUMBERS_MAX:.3g} at most; "
+        raise InputError(f"the answer would have at least {least:.3g} numbers of triangles, "
+                         f"and can have {NUMBERS_MAX:.3g} at most; "
                          "give larger cells, or a grid around a part of the mesh")
 
 

@@ -117,7 +117,8 @@ def triangle_numbers(value, count):
 def check_numbers(array, count):
     wrong = (array < 0) | (array >= count)
     if wrong.any():
-        raise BadIndexError(f"numbers[{place_of(wrong)}] is {first_of(array, wrong)}, but there are {count} triangles", "BAD_VERTEX")
+        raise BadIndexError(f"numbers[{place_of(wrong)}] is {first_of(array, wrong)}, but there are {count} triangles",
+                            "BAD_VERTEX")
 
 
 def split(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, middle: Optional[Vector] = None,

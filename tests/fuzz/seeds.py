@@ -62,8 +62,10 @@ def things(source, kind, way, count=16, run=b"", in_frame=None):
                          (b"\1" if in_frame else b"") + shape(way, drawn(source, way, 9, kind == OF_DOUBLES), source.randrange(4))
                          for _ in range(count))
     width = source.randrange(8)
-    numbers = source.choice((bytes(3 * count), source.randbytes(3 * count).translate(bytes(n % 250 for n in range(256))))) if width % 3 else b""
-    layout = b"" if kind == OF_SOUP else bytes([source.randrange(250), width, source.randrange(250), source.randrange(64)]) + numbers
+    numbers = source.choice((bytes(3 * count), source.randbytes(3 * count).translate(bytes(n % 250 for n in range(256)))))
+    numbers = numbers if width % 3 else b""
+    layout = b"" if kind == OF_SOUP else bytes([source.randrange(250), width, source.randrange(250),
+                                                source.randrange(64)]) + numbers
     return source.randbytes(1) + bytes([count - 1]) + run + triangles + layout
 
 
@@ -93,7 +95,8 @@ def triangles():
                     boxes = bytes([15]) + b"".join(a_box(source, BOX, way) for _ in range(15)) if form == BOXES else b""
                     files["%d_%d_%d_%d" % (form, kind, way, number)] = (
                         head + bytes([form + 3 * kind + (96 if is_wide else 0), source.choice((16, 190, 251))]) + box +
-                        things(source, kind, way, 1 if form == BOXES else 16, in_frame=number if form == ORIENTED else None) + boxes +
+                        things(source, kind, way, 1 if form == BOXES else 16,
+                               in_frame=number if form == ORIENTED else None) + boxes +
                         source.randbytes(60))
     for kind in KINDS:
         head = bytes([UNIT_ONE]) + options() + bytes([3 * kind, 1])
@@ -108,7 +111,8 @@ def triangles():
             files["layout_%s_%d" % (name, kind)] = head + UNIT_BOX + one + bytes(layout)
         files["none_%d" % kind] = head[:-1] + b"\0" + UNIT_BOX
     for count in (0, 1, 63, 64, 65, 255):
-        files["mask_of_%d" % count] = bytes([UNIT_ONE]) + options() + b"\0\0" + UNIT_BOX + bytes([0, 0, LATTICE]) + bytes([0] * 9 + [0, 0, count]) + b"\xff" * 32
+        files["mask_of_%d" % count] = (bytes([UNIT_ONE]) + options() + b"\0\0" + UNIT_BOX + bytes([0, 0, LATTICE]) +
+                                         bytes([0] * 9 + [0, 0, count]) + b"\xff" * 32)
     return files
 
 
@@ -120,20 +124,25 @@ def index():
         for way in range(8):
             for many in (0, 1):
                 boxes = source.choice((UNIT_BOX, flat)) + a_box(source, BOX, way) + around
-                damage = source.choice((b"\0", b"\0", bytes([1, 6, 0, 7, 255]), bytes([9, 0, 0, 255, 0, 3, 0, 255, 0]), b"\xff" + source.randbytes(130)))
+                damage = source.choice((b"\0", b"\0", bytes([1, 6, 0, 7, 255]), bytes([9, 0, 0, 255, 0, 3, 0, 255, 0]),
+                                        b"\xff" + source.randbytes(130)))
                 files["%d_%d_%d" % (kind, way, many)] = (
                     bytes([source.choice(UNITS)]) + options(source.choice((0, 0, 1, 3))) +
                     bytes([many + 2 * kind, 255 if many else source.choice((0, 1, 180, 250))]) + boxes +
-                    things(source, kind, way, run=bytes([source.choice((0, 63, 255))]) if many else b"") + source.randbytes(3) + damage)
+                    things(source, kind, way, run=bytes([source.choice((0, 63, 255))]) if many
+                           else b"") + source.randbytes(3) + damage)
     for side in range(6):
         half = [-16, 15] * 3
         half[side] = 0
-        files["half_%d" % side] = (bytes([UNIT_ONE]) + options() + bytes([1 + 2 * (side % 4), 255]) + shape(LATTICE, lattice(*half)) +
+        files["half_%d" % side] = (bytes([UNIT_ONE]) + options() + bytes([1 + 2 * (side % 4), 255]) +
+                                   shape(LATTICE, lattice(*half)) +
                                    around + flat + things(source, side % 4, LATTICE, run=b"\77") + b"\1\0\377\0")
     for error in ERRORS:
-        files["wrong_%d" % error] = bytes([UNIT_ONE]) + options(error=error) + b"\0\276" + UNIT_BOX * 3 + things(source, OF_SOUP, LATTICE)
+        files["wrong_%d" % error] = (bytes([UNIT_ONE]) + options(error=error) + b"\0\276" + UNIT_BOX * 3 +
+                                     things(source, OF_SOUP, LATTICE))
     files["wrong_axes"] = bytes([UNIT_ONE]) + options(6) + b"\0\276" + UNIT_BOX * 3 + things(source, OF_SOUP, LATTICE)
-    files["wrong_box"] = bytes([UNIT_ONE]) + options() + b"\0\276" + shape(NASTY, bytes([15] * 6)) * 3 + things(source, OF_SOUP, LATTICE)
+    files["wrong_box"] = (bytes([UNIT_ONE]) + options() + b"\0\276" + shape(NASTY, bytes([15] * 6)) * 3 +
+                          things(source, OF_SOUP, LATTICE))
     return files
 
 
@@ -143,8 +152,10 @@ def cells():
     files = {}
 
     def add(name, how, places, sizes, steps, kind, way, unit=UNIT_ONE, is_wide=0):
-        asked = bytes([steps % 3, source.choice((0, 5, 255)), 1, 64, 1, 2, 0, 3, steps % 4, source.choice((0, 1, 2)), 3][:10 + (steps % 4 == 0)])
-        files[name] = (bytes([unit]) + how + bytes([kind + 128 * is_wide]) + places + bytes(sizes) + asked + source.randbytes(16) + b"\5" +
+        asked = bytes([steps % 3, source.choice((0, 5, 255)), 1, 64, 1, 2, 0, 3, steps % 4, source.choice((0, 1, 2)),
+                       3][:10 + (steps % 4 == 0)])
+        files[name] = (bytes([unit]) + how + bytes([kind + 128 * is_wide]) + places + bytes(sizes) + asked +
+                       source.randbytes(16) + b"\5" +
                        things(source, kind, way, 6))
 
     units = bytes([LATTICE]) + lattice(-8, -2, -2) + bytes([LATTICE]) + lattice(1, 2, 3)
@@ -152,8 +163,10 @@ def cells():
     for kind in KINDS:
         for way in range(8):
             for number in range(5):
-                sizes = (source.randrange(135), source.randrange(7), source.randrange(7)) if number else (source.choice((4, 10, 14)), 5, 6)
-                add("%d_%d_%d" % (kind, way, number), options(), source.choice((units, odd)) if number else units, sizes, way + number,
+                sizes = (source.randrange(135), source.randrange(7),
+                         source.randrange(7)) if number else (source.choice((4, 10, 14)), 5, 6)
+                add("%d_%d_%d" % (kind, way, number), options(), source.choice((units, odd)) if number else units, sizes,
+                    way + number,
                     kind, way, source.choice((UNIT_ONE, UNIT_EIGHTH)))
         for axes in (1, 2, 4, 5):
             add("axes_%d_%d" % (axes, kind), options(axes), units, (4, 2, 1), axes, kind, LATTICE, UNIT_EIGHTH)
@@ -162,10 +175,13 @@ def cells():
     fine = bytes([FAR_LATTICE]) + lattice(0, 1, 2) + bytes([BITS]) + floats(0.125, 0.125, 0.0625)
     add("as_fine_as_float", options(), fine, (4, 3, 2), 1, OF_SOUP, NEAR_KNOWN)
     for number, cell in enumerate((0, float("nan"), float("inf"))):
-        add("wrong_cells_%d" % number, options(), bytes([LATTICE]) + lattice(0, 0, 0) + bytes([BITS]) + floats(cell, 1, 1), (4, 3, 3), 1, OF_SOUP, LATTICE)
+        add("wrong_cells_%d" % number, options(), bytes([LATTICE]) + lattice(0, 0, 0) + bytes([BITS]) + floats(cell, 1, 1),
+            (4, 3, 3), 1, OF_SOUP, LATTICE)
     for unit in UNITS:
-        add("unit_%d" % unit, options(), bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2), (8, 4, 4), 1, unit % 4, LATTICE, unit)
-        add("wide_%d" % unit, options(), bytes([POWER]) + source.randbytes(6) + bytes([LATTICE]) + lattice(2, 4, 2), (8, 4, 4), 1, OF_DOUBLES, LATTICE, unit, 1)
+        add("unit_%d" % unit, options(), bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2), (8, 4, 4), 1,
+            unit % 4, LATTICE, unit)
+        add("wide_%d" % unit, options(), bytes([POWER]) + source.randbytes(6) + bytes([LATTICE]) + lattice(2, 4, 2), (8, 4, 4), 1,
+            OF_DOUBLES, LATTICE, unit, 1)
     for error in ERRORS:
         add("wrong_%d" % error, options(error=error), units, (4, 3, 3), 1, OF_SOUP, LATTICE)
     return files
@@ -222,7 +238,8 @@ def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), p
 def partition(records=((0, 0, 5, 0), (1, 1, 7, 0)), places=3, tile=64, numbers=(0, 4), size=(100, 50, 50), record_bytes=32,
               magic=b"tribox tiles 3\n"):
     index = (magic.ljust(16, b"\0") +
-             struct.pack("<2I9d6I7Q", 0x01020304, tile, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, *numbers, record_bytes, 2, 34, 56, 0, len(records),
+             struct.pack("<2I9d6I7Q", 0x01020304, tile, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, *numbers, record_bytes, 2, 34, 56, 0,
+                         len(records),
                          places, 0) + b"".join(struct.pack("<4Q", *record) for record in records))
     return bytes([len(index) // 8]) + index + struct.pack("<9%s" % "fd"[numbers[1] == 8], *range(9)) * places
 
@@ -241,8 +258,10 @@ def ply_files():
     header, body = plain.split(b"element vertex 3\n")
     vertex, face = body.split(b"element face 1\n")
     face, values = face.split(b"end_header\n")
-    files["faces_first"] = header + b"element face 1\n" + face + b"element vertex 3\n" + vertex + b"end_header\n3 0 1 2\n" + values[:-8]
-    files["other_elements"] = plain.replace(b"element vertex", b"element other 1\nproperty list char double d\nelement vertex").replace(
+    files["faces_first"] = (header + b"element face 1\n" + face + b"element vertex 3\n" + vertex +
+                            b"end_header\n3 0 1 2\n" + values[:-8])
+    files["other_elements"] = plain.replace(b"element vertex",
+                                            b"element other 1\nproperty list char double d\nelement vertex").replace(
         b"end_header\n", b"end_header\n2 0.5 1\n")
     files["float_lists"] = plain.replace(b"uchar int", b"int8 float").replace(b"3 0 1 2", b"3 0 1 1.5")
     files["no_end"] = plain.replace(b"end_header\n", b"")
@@ -290,7 +309,8 @@ def part_files():
               "old": b"tribox part 6\n" + bytes(200), "doubles": part(position_bytes=8), "three_bytes": part(position_bytes=3),
               "ids": ids, "deflated": part(has_ids=True, how=zipfile.ZIP_DEFLATED), "few_ids": part(ids=("<u4", (1,), bytes(4))),
               "many_ids": part(ids=("<u4", (99,), bytes(396))), "no_rows": part(at=("<u4", (0, 3), b"")),
-              "stranger": part(x=("<u4", (0,), b"")), "bits_of_7": part(bits=("<u8", (2, 7), bytes(112))), "tile_of_12": part(tile=12), "no_tile": part(tile=0),
+              "stranger": part(x=("<u4", (0,), b"")), "bits_of_7": part(bits=("<u8", (2, 7), bytes(112))),
+              "tile_of_12": part(tile=12), "no_tile": part(tile=0),
               "out_of_order": part(bricks=(LAST_BRICK, FIRST_BRICK)), "twice": part(bricks=(FIRST_BRICK, FIRST_BRICK)),
               "one_tile": part(tile=128, tiles=(0, 1)), "other_tiles": part(tiles=(5, 9)), "too_many_tiles": part(tiles=(0, 10)),
               "backwards": part(tiles=(5, 3)), "stray_x": part(bricks=(((8, 0, 0), [0x40] + [0] * 7),)),
@@ -304,11 +324,15 @@ def part_files():
 def partition_files():
     whole = partition()
     return {"whole": whole, "empty": partition(records=(), places=0), "doubles": partition(numbers=(0, 8)),
-            "numbers": partition(numbers=(4, 4)), "number_bytes": partition(numbers=(8, 4)), "doubles_in_floats": partition(numbers=(4, 8)), "cut": whole[:-1],
+            "numbers": partition(numbers=(4, 4)), "number_bytes": partition(numbers=(8, 4)),
+            "doubles_in_floats": partition(numbers=(4, 8)), "cut": whole[:-1],
             "no_triangles": whole[:233], "header_cut": b"\x12" + whole[1:], "tile_of_12": partition(tile=12),
-            "backwards": partition(records=((1, 0, 5, 0), (0, 1, 7, 0))), "same_tile": partition(records=((1, 0, 5, 0), (1, 1, 7, 0))),
-            "beyond_tiles": partition(records=((0, 0, 5, 0), (2, 1, 7, 0))), "no_place": partition(records=((0, 0, 5, 0), (1, 0, 7, 0))),
-            "far_place": partition(records=((0, 0, 5, 0), (1, 2**63, 7, 0))), "gap": partition(records=((0, 1, 5, 0), (1, 2, 7, 0))),
+            "backwards": partition(records=((1, 0, 5, 0), (0, 1, 7, 0))),
+            "same_tile": partition(records=((1, 0, 5, 0), (1, 1, 7, 0))),
+            "beyond_tiles": partition(records=((0, 0, 5, 0), (2, 1, 7, 0))),
+            "no_place": partition(records=((0, 0, 5, 0), (1, 0, 7, 0))),
+            "far_place": partition(records=((0, 0, 5, 0), (1, 2**63, 7, 0))),
+            "gap": partition(records=((0, 1, 5, 0), (1, 2, 7, 0))),
             "much_work": partition(records=((0, 0, 2**63, 0), (1, 1, 2**63, 0))), "record_of_40": partition(record_bytes=40),
             "magic": partition(magic=b"tribox tiles 1\n"), "other": partition(magic=b"something else")}
 
@@ -360,7 +384,8 @@ def meshes():
                 head = bytes([ending + 4 * number + 64 * source.randrange(2), part])
                 files["%d_%s_%d" % (ending, name, part)] = head + content
                 at = source.randrange(len(content))
-                changed = content[:at] + source.choice([b"\r", b" ", b"\t", b"9", b"-", b"e", b"\n", b"nan"]) + content[at + number % 2:]
+                changed = content[:at] + source.choice([b"\r", b" ", b"\t", b"9", b"-", b"e", b"\n",
+                                                        b"nan"]) + content[at + number % 2:]
                 files["%d_%s_%d_changed" % (ending, name, part)] = head + changed
     return files
 
@@ -428,7 +453,8 @@ def main():
                 file.write(content)
             print(f"{make.__name__}/{name}")
     with open(os.path.join(sys.argv[1], "words"), "w", encoding="ascii") as file:
-        file.writelines('"%s"\n' % "".join(c if " " <= c and c not in '"\\' else "\\x%02x" % ord(c) for c in word) for word in WORDS)
+        file.writelines('"%s"\n' % "".join(c if " " <= c and c not in '"\\' else "\\x%02x" % ord(c) for c in word)
+                        for word in WORDS)
 
 
 if __name__ == "__main__":

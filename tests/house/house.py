@@ -18,7 +18,8 @@ def fail(text):
 
 
 def tracked():
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True, check=False)
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True,
+                            check=False)
     if listed.returncode:  # a tarball
         found = (os.path.relpath(os.path.join(folder, name), ROOT) for folder, _, names in os.walk(ROOT) for name in names)
         return [name for name in found if name.split(os.sep)[0] in ("include", "src", "tools", "tests", "bench", "examples")]
@@ -119,9 +120,9 @@ for text in re.findall(r"^\| \**`([\w/]+\.h)`", read("src/kernel/README.md"), re
 
 # A branch is an if, and lines fit a screen.
 for name in FILES:
-    if re.search(r"\.(c|h|cc)$", name):
+    if re.search(r"\.(c|h|cc|py)$", name):
         for number, line in enumerate(read(name).splitlines(), 1):
-            if re.search(r"\? [\w>.-]+ : [\w>.-]+\)\(", line):
+            if not name.endswith(".py") and re.search(r"\? [\w>.-]+ : [\w>.-]+\)\(", line):
                 fail(f"{name}:{number}: (c ? f : g)(x) is not found by grep; write an if")
             if len(line) > COLUMNS:
                 fail(f"{name}:{number}: {len(line)} columns, more than {COLUMNS}")
@@ -133,7 +134,8 @@ def anchors(name):
 
 
 for name in FILES:
-    links = re.findall(r"\]\(([^)\s]+)\)", re.sub(r"```.*?```|`[^`\n]*`", "", read(name), flags=re.S)) if name.endswith(".md") else []
+    links = re.findall(r"\]\(([^)\s]+)\)", re.sub(r"```.*?```|`[^`\n]*`", "", read(name),
+                                                  flags=re.S)) if name.endswith(".md") else []
     for path, _, anchor in (link.partition("#") for link in links if not link.startswith("https:")):
         to = os.path.normpath(os.path.join(os.path.dirname(name), path)) if path else name
         if path.startswith("/") or not os.path.exists(os.path.join(ROOT, to)) or anchor and anchor not in anchors(to):

@@ -163,7 +163,8 @@ class Test:
 def run(command, output=subprocess.DEVNULL, **how):
     """The exit status, or None if it took too long."""
     try:
-        return subprocess.run(command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, check=False, **how).returncode
+        return subprocess.run(command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, check=False,
+                              **how).returncode
     except subprocess.TimeoutExpired:
         return None
 
@@ -355,8 +356,9 @@ def judge_all(folder, mutants, jobs):
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description="Puts the faults of mutants.txt into the source, one at a time, and runs the tests.")
-    parser.add_argument("--only", metavar="PATTERN", nargs="+", default=["*"], help="only the faults of these names, such as 'edge-*'")
+    parser = argparse.ArgumentParser(description="Puts the faults of mutants.txt into the source, one by one, and runs the tests.")
+    parser.add_argument("--only", metavar="PATTERN", nargs="+", default=["*"],
+                        help="only the faults of these names, such as 'edge-*'")
     parser.add_argument("--sample", type=int, metavar="N", help="only N of them, drawn by the seed")
     parser.add_argument("--seed", type=int, metavar="N", help="of the sample (default: another one every time)")
     parser.add_argument("--list", action="store_true", help="print the faults, look for their texts, and change nothing")

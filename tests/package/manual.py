@@ -74,7 +74,8 @@ synopsis = re.search(r"^\.Sh SYNOPSIS\n(.*?)^\.Sh ", page, re.M | re.S).group(1)
 name_section = re.search(r"^\.Sh NAME\n(.*?)^\.Nd ", page, re.M | re.S).group(1)
 prototypes = declarations_of_header(header)
 functions = {re.search(r"(\w+)\(", prototype).group(1) for prototype in prototypes}
-constants = set(re.findall(r"\b(TRIBOX_[A-Z_]+)\b", header)) - {"TRIBOX_H", "TRIBOX_THREADS_H", "TRIBOX_API", "TRIBOX_SHARED", "TRIBOX_SHARED_BUILD"}
+constants = set(re.findall(r"\b(TRIBOX_[A-Z_]+)\b", header)) - {
+    "TRIBOX_H", "TRIBOX_THREADS_H", "TRIBOX_API", "TRIBOX_SHARED", "TRIBOX_SHARED_BUILD"}
 
 faults = []
 faults += difference("prototype", prototypes, declarations_of_page(synopsis.splitlines()))

@@ -146,7 +146,7 @@ class Layouts(cases.TestCase):
             self.assert_same(np.array(soup.streams), np.ascontiguousarray(self.triangles.T))
 
     def test_arrays_stay(self):
-        """What a struct points into cannot be replaced; an Index that keeps the order reads a Soup in place, and copies all else."""
+        """What a struct points into cannot be replaced; an Index that keeps the order reads a Soup in place, copies all else."""
         mesh, streams = tribox.Mesh(*cases.shared_vertices(self.triangles, np.uint32)), np.ascontiguousarray(self.triangles.T)
         soup, wide = tribox.Soup(streams), self.triangles.astype(float)
         self.assertIs(soup.streams, streams)

@@ -273,7 +273,8 @@ class Sparse(cases.TestCase):
         for grid in (grid, tribox.Grid((-4.7,) * 3, 0.7e-5, ((1 << 20) + 5,) * 3)):
             lists = tribox.cell_lists(near, grid, threads=2)
             self.assertGreater(len(lists.cells), 100)
-            found = {tuple(cell): lists.triangles[a:b].tolist() for cell, a, b in zip(lists.cells.tolist(), lists.start, lists.start[1:])}
+            found = {tuple(cell): lists.triangles[a:b].tolist() for cell, a,
+                     b in zip(lists.cells.tolist(), lists.start, lists.start[1:])}
             steps = np.random.default_rng(cases.seed()).integers(-1, 2, (200, 3))
             for cell in [*lists.cells[::1 + len(found) // 200], *(lists.cells[:200].astype(int) + steps[:len(found)])]:
                 numbers = np.flatnonzero(tribox.overlap(near, *grid.box(*map(int, cell)))).tolist()

@@ -1,4 +1,4 @@
-"""Reads files of voxelize and overlap with the programs that they are written for: a function for each, which returns what it finds."""
+"""Reads files of voxelize and overlap with the programs that they are for: a function for each, which returns what it finds."""
 
 
 def with_vtk_mesh(path):

@@ -13,7 +13,8 @@ from harness import read, text_of
 
 LATTICE = meshes.lattice_triangles(24, seed=5)
 # Triangles of floats, three cells long or so, where floats are 1/16 apart, whose planes float would move.
-HIGH = meshes.floats(np.random.default_rng(31).uniform(-2, 2, (25, 3, 3)) + np.random.default_rng(32).uniform(0, 12, (25, 1, 3)) + [1e6, -7e5, 6e5])
+HIGH = meshes.floats(np.random.default_rng(31).uniform(-2, 2, (25, 3, 3)) +
+                     np.random.default_rng(32).uniform(0, 12, (25, 1, 3)) + [1e6, -7e5, 6e5])
 FAR = meshes.far_triangles(7, seed=12)
 SMALL = np.array(meshes.lattice_triangles(4, seed=3)) * 2.0 ** -20
 SHIFTED = ("--shift", "557818.3,5108000,0.7")
@@ -36,7 +37,8 @@ GRIDS = [
                                                         grid_of(text_of(4 / n for n in size), "-2,-2,-2", "%d,%d,%d" % size))
                                                       for size in ((256, 4, 4), (3, 256, 4), (4, 4, 256))),
     (HIGH, ("--resolution", "13")), (HIGH, ("--cell", "1.1")), (HIGH, grid_of("0.7", "1000001.3,-699998.7,600001.1", "11,12,13")),
-    (FAR, ("--resolution", "7")), (FAR, ("--cell", "0.7")), (FAR, ("--cell", "0.3,0.9,1.7", "--origin", "557818.1,5108008.3,810.5")),
+    (FAR, ("--resolution", "7")), (FAR, ("--cell", "0.7")),
+    (FAR, ("--cell", "0.3,0.9,1.7", "--origin", "557818.1,5108008.3,810.5")),
     (FAR, grid_of("0.4", "557819.9,5108010,812", "4,3,2")), (FAR, ("--cell", "0.9", *SHIFTED)),
     (LATTICE, ("--shift", "0.5,-1,2", "--resolution", "11")),
 ]
@@ -111,7 +113,8 @@ class Answers(Voxels):
         point = self.write("point.obj", "v 1 2 3\nf 1 1 1\n")
         self.assertEqual(self.ask("voxelize", point, "-c", "1", "--count")["grid"],
                          {"origin": [1, 2, 3], "cell": [1] * 3, "size": [1] * 3})
-        self.fail_with(1, "point.obj: the whole mesh lies in one point and has no longest side; give --cell in place of --resolution", "voxelize", point,
+        self.fail_with(1, "point.obj: the whole mesh lies in one point and has no longest side; "
+                       "give --cell in place of --resolution", "voxelize", point,
                        "-r", "4", "--count")
 
     def test_not_finite(self):
@@ -140,7 +143,8 @@ class Answers(Voxels):
             self.out("voxelize", mesh, *grid_of(words[2], origin, size), ending=".raw")
         os.remove(self.path("out.raw"))
         for size in ("257,1,1", "1,257,1", "1,1,1000"):
-            self.fail_with(1, r"no.vox: .vox holds at most 256 cells on each axis, the grid has %s; choose fewer cells, or write .npy, .binvox or .raw"
+            self.fail_with(1, r"no.vox: .vox holds at most 256 cells on each axis, the grid has %s; "
+                           r"choose fewer cells, or write .npy, .binvox or .raw"
                            % size.replace(",", " x "), "voxelize", mesh, "-c", "1", "--size", size, "-o", self.path("no.vox"))
         self.refuse(1, "voxelize", [(row[0], mesh, *row[1:], "-o", self.path("x.npy")) for row in rows] + [
             ("binvox takes cubic cells only, these are 1 x 1 x 2; give --cell one length, or choose .npy", mesh, "-c", "1,1,2",
@@ -190,7 +194,8 @@ class Answers(Voxels):
             self.assertEqual(fields.get("place"), None if has_place else "not in the file: keep origin and cell")
         many = self.succeed("voxelize", mesh, "--cell", "0.05,0.05,0.1", "--origin", "0,0,0", "-o", self.path("m.npy"))
         self.assertRegex(many, r"\ngrid +\d+ x \d+ x \d+ cells of 0.05 x 0.05 x 0.1, from 0,0,0\n")
-        self.assertRegex(many, r"\ntime         [\d.]+ m?s, [\d.]+ (thousand|million|billion) cells a second \(the voxelization alone\)\n")
+        self.assertRegex(many, r"\ntime         [\d.]+ m?s, [\d.]+ (thousand|million|billion) cells a second "
+                               r"\(the voxelization alone\)\n")
         self.assertRegex(self.succeed("voxelize", mesh, *GRIDS[2][1], *SHIFTED, "--count"), r"(?m)^shift +557818.3,5108000,0.7$")
         for options, tiles in ((), ""), (("--accuracy", "fast"), ", tiles of 128"):
             self.assertRegex(self.succeed("voxelize", mesh, *TILES, "--count", *options),
@@ -219,7 +224,8 @@ class Foreign(Voxels):
         for triangles, grid in GRIDS[:9] + [GRIDS[-1]]:
             path, found = self.voxelize(self.mesh_of(triangles), *grid, *options, ending="." + word)
             truth = meshes.occupied(np.array(triangles) - found.get("shift", [0] * 3), found["grid"])
-            yield path, truth, np.array(found["grid"]["origin"]) + found.get("shift", [0] * 3), np.array(found["grid"]["cell"]), found
+            yield (path, truth, np.array(found["grid"]["origin"]) + found.get("shift", [0] * 3),
+                   np.array(found["grid"]["cell"]), found)
 
     def assert_near(self, own, due, cell):
         self.assertTrue((abs(np.array(own) - due) <= 1e-15 * (abs(due) + cell)).all(), (own, due))
@@ -301,7 +307,8 @@ SCENES = {
     "doubles": (MANY, TILES, (), ("npz", "raw")),
     "few": (LATTICE, ("-r", "150"), (), ("npz", "binvox", "vox", "npy", "vti", "nrrd", "cells")),
     "small": (LATTICE[:1], ("-r", "9"), (), ("npz", "vox")),
-    "box": (LATTICE, TILES, ("--axes", "box"), ("npz",)), "no box": (LATTICE, grid_of("0.02,0.5,0.5", "-2,-2,-2", "200,8,8"), ("--axes", "plane,edges"), ("npz",)),
+    "box": (LATTICE, TILES, ("--axes", "box"), ("npz",)),
+    "no box": (LATTICE, grid_of("0.02,0.5,0.5", "-2,-2,-2", "200,8,8"), ("--axes", "plane,edges"), ("npz",)),
     "conservative": (LATTICE, TILES, ("--accuracy", "conservative"), ("npz", "raw")),
     "fast": (LATTICE, TILES, ("--accuracy", "fast"), ("npz",)),
     # A triangle whose rounded cells reach into a tile that it does not touch itself.

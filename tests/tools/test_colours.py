@@ -42,7 +42,8 @@ def mean(colours):
 
 
 # PLY: of each type what a byte becomes.
-TYPES = {"uchar": int, "ushort": lambda byte: 257 * byte, "float": lambda byte: byte / 255, "double": lambda byte: byte / 255, "int": int}
+TYPES = {"uchar": int, "ushort": lambda byte: 257 * byte, "float": lambda byte: byte / 255, "double": lambda byte: byte / 255,
+         "int": int}
 
 
 def ply(vertices, polygons, vertex_colours=None, face_colours=None, kind="uchar", form="ascii", names=("red", "green", "blue"),
@@ -190,7 +191,8 @@ class Meshes(Colours):
         document["materials"] = [{"name": "m%d" % n, **(material or {})} for n, material in enumerate(materials)]
         document["meshes"] = [{"primitives": primitives}]
         document["textures"], document["images"] = [{"source": 0}], [{"uri": "none.png"}]
-        document["buffers"] = [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]
+        uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+        document["buffers"] = [{"byteLength": len(data), "uri": uri}]
         order = [n for k in range(count) for n in range(k, len(self.triangles), count)]
         return json.dumps(document).encode(), order
 
@@ -216,14 +218,16 @@ class Meshes(Colours):
         content, order = self.gltf([None], each)
         self.check_gltf("vertices.gltf", content, order, self.colours, "vertices")
         content, order = self.gltf([self.base((255, 0, 255)), self.base((255, 255, 255))], each)
-        self.check_gltf("both.gltf", content, order, [(c[0], c[1] if n % 2 else 0, c[2]) for n, c in enumerate(self.colours)], "vertices")
+        self.check_gltf("both.gltf", content, order, [(c[0], c[1] if n % 2 else 0, c[2]) for n, c in enumerate(self.colours)],
+                        "vertices")
         content, _ = self.gltf([self.base(three[0]), self.base((255, 255, 255), baseColorTexture={"index": 0})])
         mesh, out = self.write("texture.gltf", content), self.path("x.vox")
         self.succeed("voxelize", mesh, *GRID, "--colours", "-q", "-o", out,
                      note="%d of %d triangles have a texture, which is not read: they are grey" % (count // 2, count))
         self.assertTrue(set(readers.palette_of(out).values()) <= {three[0], GREY})
         content, _ = self.gltf([self.base((255, 255, 255), baseColorTexture={"index": 0})])
-        self.fail_with(1, "has no colours: .*not of textures", "voxelize", self.write("only.gltf", content), *GRID, "--colours", "-o", out)
+        self.fail_with(1, "has no colours: .*not of textures", "voxelize", self.write("only.gltf", content), *GRID, "--colours",
+                       "-o", out)
 
     def test_own_glb(self):
         """What is written is read again: the cells of a mesh of cells have their colours."""
@@ -282,7 +286,8 @@ class Meshes(Colours):
 class Materials(Colours):
     """Three materials in turn, the last of them with one number and a blank in its name."""
 
-    LIBRARY = ("# colours\r\nnewmtl red\r\nKa 0 1 0\r\nKd 1 0 0\r\nmap_Kd no.png\r\n\r\nnewmtl half\nKd 0.5 0.25 0.125\nnewmtl dark one\n"
+    LIBRARY = ("# colours\r\nnewmtl red\r\nKa 0 1 0\r\nKd 1 0 0\r\nmap_Kd no.png\r\n\r\n"
+               "newmtl half\nKd 0.5 0.25 0.125\nnewmtl dark one\n"
                "kd 0.2\nnewmtl red\nKd 0 0 1\nnewmtl spectral\nKd spectral file.rfl\n")
     NAMES = {"red": (255, 0, 0), "half": (128, 64, 32), "dark one": (51, 51, 51)}
 
@@ -344,7 +349,8 @@ class Materials(Colours):
                              self.path("no.vox"))
         self.assertEqual(result.code, 1)
         self.assertRegex(result.stderr,
-                         r"(?s)none.mtl' are no file.*material 'red' is in none.*in all 7 lines.*none.obj: has no colours: .*; leave out --colours\n\Z")
+                         r"(?s)none.mtl' are no file.*material 'red' is in none.*in all 7 lines.*"
+                         r"none.obj: has no colours: .*; leave out --colours\n\Z")
         self.assertFalse(os.path.exists(self.path("no.vox")))
 
 
@@ -374,7 +380,7 @@ class Files(Colours):
             self.assertEqual(faces_of(triangles_of(out), ABOUT), faces_expected(self.expected), ending)
 
     def test_merged(self):
-        """Where all have one colour, there are as many triangles as without colours; else there is no more than a square for a face."""
+        """Where all have one colour, there are as many triangles as without colours; else no more than a square for a face."""
         counts = []
         for colours in ([(9, 8, 7)] * len(self.corners), self.colours):
             mesh = self.write("one.ply", ply(self.vertices, self.corners, face_colours=colours))

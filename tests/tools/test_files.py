@@ -1,4 +1,4 @@
-"""Where tribox voxelize and merge write: files, links, pipes, full disks, signals, little memory; all of a file or nothing of it."""
+"""Where voxelize and merge write: files, links, pipes, full disks, signals, little memory; all of a file or nothing of it."""
 
 import itertools
 import os
@@ -72,9 +72,9 @@ class Places(Files):
             self.fail_with(1, "stdin: " + pattern, "voxelize", "-", "--format", form, "-r", "9", "-o", self.path("x.raw"),
                            stdin=content)
         limit = self.need_limit(resource.RLIMIT_AS, 64 * MIB)
-        self.fail_with(1, r"stdin: after \d+ triangles the next take [\d.]+ MiB of memory and [\d.]+ MiB are available; save the mesh as a file, which takes "
-                       "less", "voxelize", "-", "--format", "f32", "-c", "1", "-o", self.path("x.raw"), stdin=bytes(72 << 20),
-                       limit=limit)
+        self.fail_with(1, r"stdin: after \d+ triangles the next take [\d.]+ MiB of memory and [\d.]+ MiB are available; "
+                       "save the mesh as a file, which takes less", "voxelize", "-", "--format", "f32", "-c", "1",
+                       "-o", self.path("x.raw"), stdin=bytes(72 << 20), limit=limit)
 
     def test_nobody_takes_it(self):
         """A reader that has gone, a full disk, a terminal."""
@@ -85,7 +85,8 @@ class Places(Files):
             for word, size in itertools.product(harness.formats(), ("4", "100")):
                 result = harness.run(*words, word, "-r", size, stdout=place)
                 self.assertEqual(result.code, 1)
-                self.assert_one_line(result.stderr, "^tribox voxelize: cannot write the output: " + (reason if word != "vdb" else ""))
+                self.assert_one_line(result.stderr, "^tribox voxelize: cannot write the output: " +
+                                     (reason if word != "vdb" else ""))
             os.close(place)
         leader, follower = os.openpty()
         result = harness.run(*words, "raw", "-r", "9", stdout=follower)
@@ -172,7 +173,7 @@ class Places(Files):
                                    limit=(resource.RLIMIT_FSIZE, len(piped) // 2))
 
     def test_many(self):
-        """More triangles than are handed out at a time, more bricks than wait in memory, sizes around what is done at once: by any threads."""
+        """More triangles than are handed out at a time, more bricks than wait, sizes around what is done at once."""
         pick = np.random.default_rng(SEED)
         small = pick.uniform(-2, 2, (36000, 1, 3)) + pick.uniform(-1 / 32, 1 / 32, (36000, 3, 3))
         side = 8.0 * 600
@@ -210,7 +211,7 @@ class Signals(Files):
     BIG = ("-r", "900", "-q", "-o")
 
     def end(self, number, times, said, *arguments, is_at_work=None):
-        """Sends it once the program has begun to write; what is left is what was there, but for a file without a name after SIGKILL."""
+        """Sends it once the program has begun to write; what was there is left, and a file without a name after SIGKILL."""
         there = self.there()
         process = harness.start(*arguments, preexec_fn=lambda: number != signal.SIGKILL and signal.signal(number, signal.SIG_DFL))
         self.wait_for(is_at_work or (lambda: self.there() != there), process)
@@ -246,7 +247,8 @@ class Signals(Files):
         self.wait_for(lambda: self.there() != there, process)
         for number in ends:
             process.send_signal(number)
-        self.assertEqual((process.communicate(timeout=60)[1], process.returncode, self.there()), (b"", 0, sorted([*there, self.path("x.npy")])))
+        self.assertEqual((process.communicate(timeout=60)[1], process.returncode, self.there()),
+                         (b"", 0, sorted([*there, self.path("x.npy")])))
 
     def test_at_any_moment(self):
         """Nothing stands under the name but the whole; after a signal that can be caught nothing is left beside it either."""
@@ -274,7 +276,8 @@ class Signals(Files):
                 for path in [path for path in self.there() if path not in before + left and os.path.isfile(path)]:
                     self.assertEqual(read(path), whole[path])
                 for path in left:  # runs lose their names while they are empty
-                    if os.path.isfile(path) and os.path.basename(path) not in ("index", "triangles") and os.path.basename(os.path.dirname(path)).startswith("."):
+                    folder, name = os.path.split(path)
+                    if os.path.isfile(path) and name not in ("index", "triangles") and os.path.basename(folder).startswith("."):
                         self.assertEqual(os.path.getsize(path), 0)
                 subprocess.run(["rm", "-rf", *[path for path in left if os.path.basename(path).startswith(".")]], check=True)
 
@@ -335,7 +338,8 @@ class Signals(Files):
 class Memory(Files):
     def test_refused_before_it_is_taken(self):
         limit = self.need_limit(resource.RLIMIT_AS, 1 << 30)
-        self.fail_with(1, r"^tribox voxelize: 4000 x 4000 x 4000 cells take 7\.5 GiB of memory here and [\d.]+ MiB are available: choose fewer cells, or write "
+        self.fail_with(1, r"^tribox voxelize: 4000 x 4000 x 4000 cells take 7\.5 GiB of memory here and [\d.]+ MiB are available: "
+                       r"choose fewer cells, or write "
                        "bricks, -o FILE.npz or .vdb$", "voxelize", self.mesh, "-c", "0.001", "--size", "4000,4000,4000", "-o",
                        self.path("x.raw"), limit=limit)
         self.out("voxelize", self.mesh, "-c", "0.001", "--size", "4000,400,4000", limit=limit)
@@ -345,7 +349,7 @@ class Memory(Files):
 
     @harness.unless_sanitized
     def test_little(self):
-        """Limits from little more than the program takes to enough for all: the file, or a line and nothing; eight threads do what one can."""
+        """Limits from little more than the program takes to enough for all: the file, or a line; eight threads do what one can."""
         least, wholes, mesh = 4 * MIB, set(), self.write("mesh.ply", meshes.ply_of(LATTICE))
         while harness.run("info", limit=(resource.RLIMIT_AS, least)).code:
             least += MIB

@@ -1,4 +1,4 @@
-"""tribox voxelize of what is inside, of labels, of ids and of thin surfaces: every format, against answers found without the program."""
+"""tribox voxelize of what is inside, of labels, ids and thin surfaces: every format, against answers found without the program."""
 
 import itertools
 import resource
@@ -170,7 +170,7 @@ IDS = grid_of("0.5,0.75,0.5", "-2,-2.25,-2", "131,11,70")  # 3 x 1 x 2 tiles, an
 
 
 def of_ids():
-    """Triangles in every tile and across their borders; on planes, doubled, of one point and of two; large ones before and after."""
+    """Triangles in every tile and across borders; on planes, doubled, of one point and of two; large ones before and after."""
     pick = np.random.default_rng(SEED)
     corners = np.array([(x, 0.75, z) for x in (-2, 14, 30, 62, 63.5) for z in (-2, 6, 14, 30, 33) for _ in range(3)])
     near = corners[:, None] + pick.integers(-12, 13, (len(corners), 3, 3)) / 8
@@ -209,7 +209,7 @@ class Ids(Voxels):
             self.assertTrue(np.array_equal(readers.read(self.path("x.vdb"), None, "ids")[0], truth))
 
     def test_meshes(self):
-        """Doubles; triangles that are not finite have a number each and no cells; polygons the numbers of what they are cut into."""
+        """Doubles; triangles that are not finite have a number each and no cells; polygons those of what they are cut into."""
         some = of_ids()[-60:]
         self.check(self.mesh_of(some + 2.0 ** -40), meshes.lowest(some + 2.0 ** -40, about(IDS)), "npz")
         self.assertFalse(np.array_equal(meshes.lowest(some + 2.0 ** -40, about(IDS)), meshes.lowest(some, about(IDS))))

@@ -154,7 +154,7 @@ class Formats(harness.TestCase):
                 self.assertEqual(answers[0]["triangles"], triangles)
 
     def test_far_back(self):
-        """Corners counted back from the last vertex, further than a face; one binary quadrilateral, whose second half alone is met."""
+        """Corners counted back from the last vertex, further than a face; one binary quadrilateral, whose second half is met."""
         t = meshes.lattice_triangles(50, seed=1)
         lines = meshes.obj(t).decode().splitlines()
         vertices = "\n".join(["v 9 9 9", *(line for line in lines if line.startswith("v "))]) + "\n"

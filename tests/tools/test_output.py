@@ -153,7 +153,8 @@ class Pairs(harness.TestCase):
     def test_changed_meshes(self):
         """Cut, as most programs begin to save, or of another time."""
         triangles = meshes.lattice_triangles(6000, seed=1)
-        for name, write in (("m.ply", meshes.ply_of), ("t.ply", meshes.FORMATS["ascii.ply"]), ("m.obj", meshes.obj), ("m.off", meshes.off),
+        for name, write in (("m.ply", meshes.ply_of), ("t.ply", meshes.FORMATS["ascii.ply"]), ("m.obj", meshes.obj),
+                            ("m.off", meshes.off),
                             ("m.stl", meshes.stl_binary), ("t.stl", meshes.stl_ascii), ("m.f32", meshes.pack_floats)):
             for change in (lambda path: os.utime(path, (0, 0)), lambda path: os.truncate(path, 0)):
                 mesh = self.write(name, write(triangles))
@@ -163,7 +164,8 @@ class Pairs(harness.TestCase):
         mesh, tiles = self.write("m.ply", meshes.ply_of(meshes.lattice_triangles(300, seed=1))), self.path("tiles")
         self.succeed("partition", mesh, "-r", "3000", "-q", "-o", tiles)
         there = sorted(os.listdir(self.folder))
-        process = subprocess.Popen([harness.program(), "voxelize", tiles, "-t", "1", "-q", "-o", self.path("x.npz")], stderr=subprocess.PIPE)
+        process = subprocess.Popen([harness.program(), "voxelize", tiles, "-t", "1", "-q", "-o", self.path("x.npz")],
+                                   stderr=subprocess.PIPE)
         while process.poll() is None and sorted(os.listdir(self.folder)) == there:
             time.sleep(0.001)
         self.change_while_it_runs(process, self.path("tiles", "triangles"), lambda path: os.truncate(path, 0), there)

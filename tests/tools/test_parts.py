@@ -198,18 +198,21 @@ class Parts(Voxels):
             self.refuse_parts("rewritten.npz.*" + why, first, self.rewritten(second, **arrays))
 
     def test_more_shards_than_tiles(self):
-        self.assertEqual(self.merged(*(self.part("%d/3" % n, grid=("-r", "9")) for n in (1, 2, 3))), self.out("voxelize", self.mesh, "-r", "9"))
+        self.assertEqual(self.merged(*(self.part("%d/3" % n, grid=("-r", "9")) for n in (1, 2, 3))),
+                         self.out("voxelize", self.mesh, "-r", "9"))
 
     def test_summary(self):
         parts = [self.part("%d/2" % n) for n in (1, 2)]
         self.assertRegex(self.succeed("merge", *parts, "-o", self.path("m.npy")),
-                         r"(?m)^parts        2\ngrid         390 x 270 x 140 cells of .*\noccupied     \d+ cells\nbricks       \d+\nwritten  ")
+                         r"(?m)^parts        2\ngrid         390 x 270 x 140 cells of .*\n"
+                         r"occupied     \d+ cells\nbricks       \d+\nwritten  ")
 
     def test_launchers(self):
         """GNU parallel, and mpirun as documented: a shell per process, which counts from 0."""
         whole = self.out("voxelize", self.mesh, *GRID)
         root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
-        script = 'i=$((OMPI_COMM_WORLD_RANK + 1)); exec "$0" voxelize "$@" --shard "$i/$OMPI_COMM_WORLD_SIZE" -o "%s.$i.npz"' % self.path("mpirun")
+        script = ('i=$((OMPI_COMM_WORLD_RANK + 1)); '
+                  'exec "$0" voxelize "$@" --shard "$i/$OMPI_COMM_WORLD_SIZE" -o "%s.$i.npz"' % self.path("mpirun"))
         words = (self.mesh, *GRID, "-q")
         for count, *command in ((7, "parallel", "--will-cite", "-j", "2", harness.program(), "voxelize", *words, "--shard", "{}/7",
                                  "-o",
@@ -249,7 +252,8 @@ class Partitions(Voxels):
     def test_tiles(self):
         """Each has its triangles in the order of the mesh, those with a corner in its box among them, and records add up."""
         (index, triangles), found, folder = self.partition(self.mesh, *GRID, "-m", "9000")
-        self.assertEqual((list(found), found["output"]), ("mesh inputs triangles positions not_finite grid tile tiles filled_tiles sorted spilled_bytes threads "
+        self.assertEqual((list(found), found["output"]), ("mesh inputs triangles positions not_finite grid tile "
+                          "tiles filled_tiles sorted spilled_bytes threads "
                                                           "seconds output".split(), folder))
         t, cell = self.triangles, np.array([0.0101, 0.0145, 0.029])
         self.assertEqual(found["not_finite"], (~np.isfinite(t)).any((1, 2)).sum())
@@ -273,7 +277,8 @@ class Partitions(Voxels):
         for memory, threads in itertools.product(("1", "3000", "40K", "600K", "1G"), "17"):
             files, found, _ = self.partition(self.mesh, *GRID, "-m", memory, "-t", threads)
             self.assertEqual((files, found["spilled_bytes"] > 0), (whole, memory not in ("600K", "1G")), (memory, threads))
-        mesh = self.mesh_of([[[n / 1024, 0, 0], [0, 1 / 8, 0], [0, 0, 1 / 8]] for n in range(1025)])  # all of them in one tile, one more than are written at once
+        mesh = self.mesh_of([[[n / 1024, 0, 0], [0, 1 / 8, 0], [0, 0, 1 / 8]]
+                             for n in range(1025)])  # all of them in one tile, one more than are written at once
         whole, _, _ = self.partition(mesh, "-r", "64")
         self.assertEqual(whole[1], read(mesh))
         for threads in "12":
@@ -303,7 +308,8 @@ class Partitions(Voxels):
         for ids in ((), ("--ids",)):
             names = ("index", "triangles", "numbers")[:2 + len(ids)]
             pieces = [self.mesh_of(some, "piece%d" % n) for n, some in enumerate(np.array_split(self.triangles, 3))]
-            apart, whole = [self.partition(piece, *GRID, *ids, names=names)[2] for piece in pieces], self.partition(self.mesh, *GRID, *ids, names=names)[0]
+            apart, whole = [self.partition(piece, *GRID, *ids, names=names)[2]
+                            for piece in pieces], self.partition(self.mesh, *GRID, *ids, names=names)[0]
             for memory in ("1000", "1G"):
                 self.assertEqual(self.partition(*apart, "-m", memory, names=names)[0], whole)
 
@@ -339,7 +345,8 @@ class Partitions(Voxels):
 
     def test_refused(self):
         piece, other = self.mesh_of(self.triangles[:300], "a"), self.mesh_of(self.triangles[300:], "b")
-        here, named = self.partition(piece, *GRID)[2], self.partition(piece, *GRID, "--ids", names=("index", "numbers", "triangles"))[2]
+        here = self.partition(piece, *GRID)[2]
+        named = self.partition(piece, *GRID, "--ids", names=("index", "numbers", "triangles"))[2]
         x, never = self.path("x"), self.mesh_of(np.full((3, 3, 3), NAN), "never")
         for differing, options in (("grid", grid_of("0.0101,0.0145,0.03", "-2,-2,-2", "390,270,140")),
                                    ("shift", (*GRID, "--shift", "1,2,3"))):
@@ -370,7 +377,8 @@ class Partitions(Voxels):
             self.refuse_partition(1, "x: cannot write all of it: File too large; nothing of it was kept", "partition", self.mesh,
                                   *GRID, "-m", memory, "-o", x,
                                   limit=(resource.RLIMIT_FSIZE, limit))
-        self.refuse_partition(1, "x: cannot write all of it: File too large", "partition", self.mesh_of([((0, 0, 0), (1, 0, 0), (0, 1, 1))], "one"), "-r", "9",
+        self.refuse_partition(1, "x: cannot write all of it: File too large", "partition",
+                              self.mesh_of([((0, 0, 0), (1, 0, 0), (0, 1, 1))], "one"), "-r", "9",
                               "-o", x, limit=(resource.RLIMIT_FSIZE, 100))  # for its index alone
 
     def test_damaged(self):
@@ -392,7 +400,7 @@ class Partitions(Voxels):
                 each("the checksum of its triangles does not match" if not_index else
                      "damaged: .*; make the partition again|not a partition folder|another byte order",
                      ("voxelize", apart[1], *["--ids"] * not_index,
-                                                                                                *(("-o", x) if not_index else ("--count",))))
+                      *(("-o", x) if not_index else ("--count",))))
             if not_index:
                 each("the checksum of its triangles does not match", ("partition", *apart, "-m", "1000", "-o", x),
                      ("voxelize", *apart, "--ids", "-o", x))

@@ -239,8 +239,10 @@ class Ways(Shells):
             check_surface(*surface_in(self.path("box_cells.ply")), cells)
 
     def test_refused_before_the_work(self):
-        for ending, size, reason in ((".glb", "8388609,1,1", r"\.glb holds at most 8388608 cells on each axis, .*; write .ply or .obj"),
-                                     (".ply", "100000,100000,100000", "the most is 16.0 GiB: choose fewer cells, or write .npz or .vdb"),
+        for ending, size, reason in ((".glb", "8388609,1,1",
+                                      r"\.glb holds at most 8388608 cells on each axis, .*; write .ply or .obj"),
+                                     (".ply", "100000,100000,100000",
+                                      "the most is 16.0 GiB: choose fewer cells, or write .npz or .vdb"),
                                      (".obj", "2000000000,1,20", "of memory here and .* are available: choose fewer cells")):
             self.fail_with(1, reason, "voxelize", self.mesh, "--cell", "1", "--origin=-2,-2,-2", "--size", size, "-o",
                            self.path("no" + ending))

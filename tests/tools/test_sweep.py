@@ -186,7 +186,8 @@ class Wrong(harness.TestCase):
         chart = os.path.join(self.folder, "no", "c.svg")
         self.fail_with(1, "--chart: cannot write '.*': No such file", "sweep", mesh, "--chart", chart)
         if os.path.exists("/dev/full"):
-            self.fail_with(1, "--chart: '/dev/full' could not be written to its end", "sweep", mesh, "--quick", "--chart", "/dev/full")
+            self.fail_with(1, "--chart: '/dev/full' could not be written to its end", "sweep", mesh, "--quick", "--chart",
+                           "/dev/full")
 
 
 if __name__ == "__main__":

@@ -58,7 +58,8 @@ class Windows(support.TestCase):
             path = os.path.join(self.path(where), name)
             done = subprocess.run([program, *arguments, "--quiet", "-o", path], capture_output=True, timeout=120)
             self.assertEqual((done.returncode, done.stderr), (0, b""), arguments)
-            contents.append([read(os.path.join(path, one)) for one in ("index", "triangles")] if os.path.isdir(path) else read(path))
+            contents.append([read(os.path.join(path, one)) for one in ("index", "triangles")] if os.path.isdir(path)
+                            else read(path))
         self.assertEqual(contents[0], contents[1], arguments)
         return os.path.join(self.path("there"), name)
 
@@ -83,7 +84,8 @@ class Answers(Windows):
 
     def test_words(self):
         for arguments in (("--version",), ("overlap", "--help"), ("info", "--js", "--json"), ("overlap", "m.obj", "--o", "1"),
-                          ("overlap", "--list=yes"), ("overlap", "m.obj", "--box"), ("overlap", "m.obj", "-lb", "1,2"), ("-x",), ()):
+                          ("overlap", "--list=yes"), ("overlap", "m.obj", "--box"), ("overlap", "m.obj", "-lb", "1,2"), ("-x",),
+                          ()):
             self.assert_same(*arguments)
 
     def test_info_and_demo(self):
@@ -185,7 +187,8 @@ class Refused(Windows):
             self.fail_with(1, why, "voxelize", self.mesh, "--resolution", "9", "--out-format", "npy", "-o", out)
         os.mkdir(self.path("there"))
         self.fail_with(1, "is there already; remove it", "partition", self.mesh, "--resolution", "9", "-o", self.path("there"))
-        self.fail_with(1, "cannot open index in it, so that it is no partition: No such file", "voxelize", self.path("there"), "-o", "x.npz")
+        self.fail_with(1, "cannot open index in it, so that it is no partition: No such file", "voxelize", self.path("there"), "-o",
+                       "x.npz")
 
     def test_picture(self):
         self.fail_with(1, "--preview: this program was built without libpng", "voxelize", self.mesh, "--resolution", "9", "-o",
