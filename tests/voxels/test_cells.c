@@ -147,7 +147,8 @@ static void check_rounded(tribox_accuracy accuracy, unsigned axes, bool has_band
     cells_check(&drawn, 0, drawn.count, all, occupied);
     if (!drawn.is_double && has_band)
         cells_check_band(&drawn, all, occupied, accuracy == TRIBOX_FAST ? &sum.fast : &sum.conservative);
-    if (drawn.at.size[0] == drawn.grid.size[0] && drawn.at.size[1] == drawn.grid.size[1])
+    const bool is_of_layers = drawn.at.size[0] == drawn.grid.size[0] && drawn.at.size[1] == drawn.grid.size[1];
+    if (is_of_layers && drawn.grid.size[2] <= 1 << 30) /* tribox_voxelize promises no more */
         check_layers(occupied);
 }
 
