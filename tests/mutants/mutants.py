@@ -13,6 +13,7 @@ import itertools
 import json
 import math
 import os
+import platform
 import queue
 import random
 import re
@@ -31,6 +32,7 @@ SHORTENED = {"exact", "voxels", "index", "scale", "doubles", "shortened"}  # who
 ROOMS = ("src", os.path.join("tools", "read"), os.path.join("tools", "console"))
 SKIPPED = 77
 NINJA = os.environ.get("NINJA", "ninja")
+NARROW = {"x86_64": ("sse2", "sse")}  # a kernel besides the scalar one, and its folder: these two show most faults
 WALL_LIMIT = 1800  # seconds for one build or test; the machine may be busy otherwise
 
 # Most tests look at a fault for a moment only: compiled fast is better than running fast, and no inlining is forced (kernel.h).
@@ -174,17 +176,21 @@ def not_source(folder, names):
 
 
 class Site:
-    """A copy of the tree with a build of its own, in which one fault at a time is tried."""
+    """A copy of the tree with a build of its own, in which one fault at a time is tried; kernels: of those, or "" of all."""
 
-    def __init__(self, folder, threads):
+    def __init__(self, folder, threads, kernels):
         self.root, self.build, self.threads = os.path.join(folder, "tree"), os.path.join(folder, "build"), threads
         shutil.copytree(ROOT, self.root, ignore=not_source)
         os.environ.setdefault("CCACHE_BASEDIR", os.path.dirname(folder))  # where there is one: copies share what is compiled
         os.environ.setdefault("CCACHE_NOHASHDIR", "1")
         self.share_library()
+        self.make(["meson", "setup", *SETUP, f"-Dkernels={kernels}", self.build, self.root])
+
+    def make(self, setup):
+        folder = os.path.dirname(self.build)
         with open(os.path.join(folder, "log"), "w+", encoding="utf-8") as log:
             # In a folder of its own: CMake, which meson asks about itself, cannot run twice in one.
-            if run(["meson", "setup", *SETUP, self.build, self.root], log, cwd=folder) != 0 or not self.compiles(output=log):
+            if run(setup, log, cwd=folder) != 0 or not self.compiles(output=log):
                 log.seek(0)
                 raise SuiteError("the tree does not build:\n" + "".join(log.readlines()[-20:]))
         self.tests = self.list_tests()
@@ -285,15 +291,13 @@ class Tests:
                 self.catches[place][name] += 1
         return name + " at length" * at_length + (", which hangs" if status in (None, -signal.SIGXCPU, -signal.SIGKILL) else "")
 
-    def catcher(self, site, mutant):
-        """The first test that fails or hangs, or None: short forms first. Each is built when its turn comes, as most faults are
-        caught by the first few."""
-        for name in self.in_order(mutant):
-            if caught := self.fails(site, mutant, name):
-                return caught
-        for name in self.in_order(mutant):
-            if site.tests[name].full and (caught := self.fails(site, mutant, name, at_length=True)):
-                return caught
+    def catcher(self, site, mutant, is_last):
+        """The first test that fails or hangs, or None: short forms first, long ones in the last round. Each is built when its turn
+        comes, as most faults are caught by the first few."""
+        for at_length in (False, True)[:1 + is_last]:
+            for name in self.in_order(mutant):
+                if (not at_length or site.tests[name].full) and (caught := self.fails(site, mutant, name, at_length)):
+                    return caught
         return None
 
 
@@ -302,13 +306,13 @@ class Tests:
 CAUGHT, SKIPPED_HERE, SURVIVED, BROKEN = "caught", "skipped", "SURVIVED", "BROKEN"
 
 
-def judge(site, tests, mutant):
+def judge(site, tests, mutant, is_last):
     if mutant.needs and mutant.needs not in tests.seconds:
         return SKIPPED_HERE, f"as the test '{mutant.needs}' is"
     text = source_of(mutant)
     try:
         site.write(mutant, mutated(mutant, text))
-        catcher = tests.catcher(site, mutant)
+        catcher = tests.catcher(site, mutant, is_last)
     except SuiteError as error:
         return BROKEN, str(error)
     finally:
@@ -323,35 +327,51 @@ def show_progress(done, count, start):
         print(f"{done} of {count}, about {left:.0f} min left", end="\r", flush=True)
 
 
-def judge_all(folder, mutants, jobs):
-    """Judges the faults in as many sites as there are jobs. Returns how many came to each verdict."""
-    count = min(jobs, len(mutants))
-    print(f"building {'a copy' if count == 1 else f'{count} copies'} of the tree in {folder}", flush=True)
-    with concurrent.futures.ThreadPoolExecutor(count) as pool:
-        sites = list(pool.map(lambda k: Site(os.path.join(folder, str(k)), max(1, jobs // count)), range(count)))
-        print("running the tests without a fault", flush=True)
-        tests = Tests(sites, pool)
-        free = queue.SimpleQueue()
-        for site in sites:
+def judge_round(sites, pool, mutants, is_last):
+    """(the fault, its verdict and what there is to say) of each, in their order."""
+    print("running the tests without a fault", flush=True)
+    tests, free = Tests(sites, pool), queue.SimpleQueue()
+    for site in sites:
+        free.put(site)
+
+    def judge_in_a_free_site(mutant):
+        site = free.get()
+        try:
+            return mutant, *judge(site, tests, mutant, is_last)
+        finally:
             free.put(site)
 
-        def judge_in_a_free_site(mutant):
-            site = free.get()
-            try:
-                return judge(site, tests, mutant)
-            finally:
-                free.put(site)
+    try:
+        yield from pool.map(judge_in_a_free_site, mutants)
+    except KeyboardInterrupt:
+        pool.shutdown(wait=False, cancel_futures=True)
+        raise
+    tests.check_lengths(sites[0])
 
-        verdicts, start = collections.Counter(), time.monotonic()
-        try:
-            for mutant, (verdict, detail) in zip(mutants, pool.map(judge_in_a_free_site, mutants)):
+
+def judge_all(folder, mutants, jobs):
+    """Judges the faults in as many sites as there are jobs, with two kernels; what these let pass, with all. Returns how many came
+    to each verdict."""
+    count = min(jobs, len(mutants))
+    kernels, own = NARROW.get(platform.machine(), ("", ""))
+    with open(os.path.join(ROOT, "src", "kernels.txt"), encoding="utf-8") as file:
+        folders = set(re.findall(r"(?m)^\w+ (\w+) \w+:", file.read())) - {"scalar", own}
+    left = [mutant for mutant in mutants if own and mutant.path.split("/")[1] in folders]
+    verdicts, start = collections.Counter(), time.monotonic()
+    print(f"building {'a copy' if count == 1 else f'{count} copies'} of the tree in {folder}", flush=True)
+    with concurrent.futures.ThreadPoolExecutor(count) as pool:
+        sites = list(pool.map(lambda k: Site(os.path.join(folder, str(k)), max(1, jobs // count), kernels), range(count)))
+        for is_last in (False, True) if own else (True,):
+            asked = left if own and is_last else [mutant for mutant in mutants if mutant not in left]
+            if own and is_last and left:
+                list(pool.map(lambda site: site.make(["meson", "configure", "-Dkernels=", site.build]), sites))
+            for mutant, verdict, detail in judge_round(sites, pool, asked, is_last):
+                if verdict in (SURVIVED, SKIPPED_HERE) and not is_last:
+                    left.append(mutant)
+                    continue
                 verdicts[verdict] += 1
                 print(f"{verdict:<8} {mutant.name}: {detail}", flush=True)
                 show_progress(sum(verdicts.values()), len(mutants), start)
-        except KeyboardInterrupt:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
-        tests.check_lengths(sites[0])
     return verdicts
 
 
