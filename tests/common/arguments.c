@@ -8,12 +8,12 @@
 
 enum { PAIRS = 100000, PAIRS_LONG = 10000000, PAIRS_SHORT = 10000 };
 
-static const char usage[] = "usage: %s [--seed N] [--long | --short] [--scenes NAME] [--cases PATTERN] [--meshes FOLDER]\n"
+static const char usage[] = "usage: %s [--seed N] [--long | --short] [--scenes NAME] [--case NAME] [--meshes FOLDER]\n"
                             "  --seed N         the seed of everything drawn (default: TRIBOX_TEST_SEED, else 1)\n"
                             "  --long           ten million pairs a scene instead of a hundred thousand\n"
                             "  --short          ten thousand pairs a scene\n"
                             "  --scenes NAME    only this scene, or this family of scenes\n"
-                            "  --cases PATTERN  only these cases of the program: test_len*\n"
+                            "  --case NAME      only this case of the program, such as test_lengths\n"
                             "  --meshes FOLDER  the folder of the mesh files (default: TRIBOX_MESHES)\n";
 
 static uint64_t seed_of(const char *text)
@@ -47,7 +47,7 @@ arguments arguments_parse(int argc, char **argv)
         }
         const char **const option = !strcmp(argv[k], "--seed")     ? &seed
                                     : !strcmp(argv[k], "--scenes") ? &args.scenes
-                                    : !strcmp(argv[k], "--cases")  ? &args.cases
+                                    : !strcmp(argv[k], "--case")   ? &args.named_case
                                     : !strcmp(argv[k], "--meshes") ? &args.meshes
                                                                    : NULL;
         if (!option || !value) {

@@ -7,11 +7,11 @@
 #include <stdint.h>
 
 typedef struct arguments {
-    uint64_t seed;      /* --seed N, or the environment variable TRIBOX_TEST_SEED */
-    size_t pairs;       /* pairs of a scene: 10^5, 10^7 with --long, 10^4 with --short */
-    const char *scenes; /* --scenes NAME: one scene, or one family of scenes; NULL for all */
-    const char *cases;  /* --cases PATTERN: of the program; NULL for all */
-    const char *meshes; /* --meshes FOLDER, or the environment variable TRIBOX_MESHES; NULL if neither is given */
+    uint64_t seed;          /* --seed N, or the environment variable TRIBOX_TEST_SEED */
+    size_t pairs;           /* pairs of a scene: 10^5, 10^7 with --long, 10^4 with --short */
+    const char *scenes;     /* --scenes NAME: one scene, or one family of scenes; NULL for all */
+    const char *named_case; /* --case NAME: of the program; NULL for all */
+    const char *meshes;     /* --meshes FOLDER, or the environment variable TRIBOX_MESHES; NULL if neither is given */
 } arguments;
 
 /* Prints the seed. Ends the program with a message on an argument that it does not know. */

@@ -43,10 +43,14 @@ extern int kernels;
     { \
         const struct CMUnitTest cases[] = {__VA_ARGS__}; \
         const int status = harness_begin(argc, argv, set_up); \
-        return status ? status : cmocka_run_group_tests(cases, NULL, NULL); \
+        if (status || !harness_knows_case(cases, sizeof cases / sizeof cases[0])) \
+            return status ? status : 2; \
+        return cmocka_run_group_tests(cases, NULL, NULL); \
     }
 #define PROGRAM(...) PROGRAM_AFTER(NULL, __VA_ARGS__)
 
+/* Whether the case that the command line names is one of these; with a message if it is not. */
+int harness_knows_case(const struct CMUnitTest *cases, size_t count);
 int harness_begin(int argc, char **argv, int (*set_up)(void));
 
 #endif

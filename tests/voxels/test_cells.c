@@ -221,11 +221,15 @@ static void check(unsigned axes, bool is_within_fast)
     check_all_ids(axes);
 }
 
+static bool has_started; /* a scene of the name that was asked for */
+
 static bool start(const char *scene)
 {
     r = random_named(args.seed, scene);
     memset(&sum, 0, sizeof sum);
-    return !args.scenes || !strcmp(args.scenes, scene);
+    const bool is_asked = !args.scenes || !strcmp(args.scenes, scene);
+    has_started |= is_asked;
+    return is_asked;
 }
 
 static void print_sum(const char *scene)
@@ -556,4 +560,10 @@ CASE(test_planes_of_slivers)
     }
 }
 
-PROGRAM(RUN(test_judge), RUN(test_kinds), RUN(test_large), RUN(test_planes_of_slivers), RUN(test_real_meshes))
+CASE(test_name_of_scene)
+{
+    assert_true(has_started || args.named_case);
+}
+
+PROGRAM(RUN(test_judge), RUN(test_kinds), RUN(test_large), RUN(test_planes_of_slivers), RUN(test_real_meshes),
+        RUN(test_name_of_scene))
