@@ -6,6 +6,9 @@
 #include "cmocka.h"
 
 static jmp_buf next_test;
+static const char *only;
+
+void cmocka_set_test_filter(const char *name) { only = name; }
 
 static void run_test(const struct CMUnitTest *test, void **state)
 {
@@ -23,7 +26,8 @@ int run_tests(const struct CMUnitTest *tests, size_t count, int (*setup)(void **
     if (setup && setup(&state))
         return 1;
     for (size_t k = 0; k < count; k++)
-        run_test(&tests[k], &state);
+        if (!only || !strcmp(only, tests[k].name))
+            run_test(&tests[k], &state);
     return teardown ? teardown(&state) : 0;
 }
 

@@ -28,6 +28,9 @@ struct CMUnitTest {
     }
 #define cmocka_run_group_tests(tests, setup, teardown) run_tests(tests, sizeof(tests) / sizeof *(tests), setup, teardown)
 
+/* Only the test of this name is run from now on, all with NULL: the patterns of cmocka are left out. */
+void cmocka_set_test_filter(const char *name);
+
 /* Runs them in turn, between setup and teardown if there are any. Returns 0 if these do. */
 int run_tests(const struct CMUnitTest *tests, size_t count, int (*setup)(void **state), int (*teardown)(void **state));
 
