@@ -401,10 +401,10 @@ static void tell(printout *out, const char *name, uint32_t resolution, const str
         NUMBER("ns_a_cell", 2, f->cells ? 1e9 * f->fresh / (double)f->cells : (double)NAN), NUMBER("MB", 1, f->megabytes));
 }
 
-static bool ask_grid(asked *q, const index_scene *at, uint32_t resolution)
+static bool ask_grid(asked *q, const scene *at, uint32_t resolution)
 {
     const uint64_t rounds = asked_number(q, OPTION_ROUNDS, asked_has(q, OPTION_QUICK) ? 1 : 5);
-    work w = {.soup = &at->room.soup, .grid = index_scene_grid(at, resolution), .options = {.kernel = q->kernel}};
+    work w = {.soup = &at->work.jobs[0].soup, .grid = scene_grid(at, resolution), .options = {.kernel = q->kernel}};
     found least[WAYS] = {{0}}, f;
     w.tile = (uint32_t)q->number[OPTION_TILE];
     w.all = (size_t)w.grid.size[0] * w.grid.size[1] * w.grid.size[2];
@@ -431,21 +431,20 @@ static bool ask_grid(asked *q, const index_scene *at, uint32_t resolution)
     return true;
 }
 
-static bool answer(asked *q)
+static bool ask_scene(asked *q, scene *at, size_t number)
 {
     bool is_right = true;
+    (void)number;
+    for (size_t n = 0; is_right && n < q->cell_counts; n++)
+        is_right = ask_grid(q, at, q->cells[n]);
+    return is_right;
+}
+
+static bool answer(asked *q)
+{
     asked_cells(q, asked_has(q, OPTION_QUICK) ? (const uint32_t[]){64, 128, 128} : (const uint32_t[]){64, 256, 1024},
                 asked_has(q, OPTION_QUICK) ? 2 : 3);
-    for (size_t k = 0; is_right && k < q->meshes.count; k++) {
-        void *const mark = asked_mark();
-        index_scene at;
-        if (!index_scene_read(q->meshes.path[k], &at))
-            return false;
-        for (size_t n = 0; is_right && n < q->cell_counts; n++)
-            is_right = ask_grid(q, &at, q->cells[n]);
-        asked_release(mark);
-    }
-    return is_right;
+    return scenes_ask(q, 0, 0, ask_scene);
 }
 
 const bench_question question_grids = {.name = "grids",

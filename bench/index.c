@@ -29,14 +29,14 @@ static const double sample_seconds = 2e-3;
 
 /* Microseconds a box, nanoseconds a triangle. */
 typedef struct scene_result {
-    char name[64];
+    const char *name;
     size_t triangles;
     double us[BOX_SIZES][KINDS][FORMS], reading, build[KINDS], memory;
 } scene_result;
 
 /* Of one soup. */
 typedef struct field {
-    const index_scene *scene;
+    const scene *scene;
     ordered_soup cuts;
     void *file_nodes, *mesh_nodes[2];
     tribox_index file, mesh_index[2];
@@ -55,7 +55,7 @@ typedef struct field {
 /* As if the mesh came from a map: farther away than it is long, where floats would not tell it. */
 static void far_away(const field *f, double by[3])
 {
-    const double extent = index_scene_extent(f->scene);
+    const double extent = scene_extent(f->scene);
     by[0] = 700 * extent;
     by[1] = -9000 * extent;
     by[2] = 33 * extent;
@@ -63,7 +63,7 @@ static void far_away(const field *f, double by[3])
 
 static bool make_meshes(field *f)
 {
-    const tribox_soup *const file = &f->scene->room.soup;
+    const tribox_soup *const file = &f->scene->work.jobs[0].soup;
     const size_t count = file->count;
     uint32_t(*const welded)[3] = asked_allocate(count, sizeof *welded);
     const size_t vertices = weld_soup(file, f->floats, welded);
@@ -92,7 +92,7 @@ static void make_boxes(field *f, int size, uint64_t seed)
     const float c = 0.76484219f, s = 0.64421769f, e = 0.87758256f, d = 0.47942554f;
     double by[3];
     far_away(f, by);
-    index_scene_boxes(f->scene, box_part[size], f->count, seed + (uint64_t)size, f->boxes);
+    scene_boxes(f->scene, box_part[size], f->count, seed + (uint64_t)size, f->boxes);
     for (size_t b = 0; b < f->count; b++) {
         f->turned[b] = (tribox_oriented_box){.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
         for (int a = 0; a < 3; a++) {
@@ -107,12 +107,12 @@ static void make_boxes(field *f, int size, uint64_t seed)
     }
 }
 
-static bool make(const index_scene *scene, size_t boxes, size_t evicted, const char *kernel, field *f)
+static bool make(const scene *at, size_t boxes, size_t evicted, const char *kernel, field *f)
 {
-    const size_t count = scene->room.soup.count;
-    *f = (field){.scene = scene, .count = boxes};
+    const size_t count = at->work.pairs;
+    *f = (field){.scene = at, .count = boxes};
     answer_room_make(count, evicted, &f->room);
-    if (!ordered_soup_make(scene, TRIES, kernel, &f->cuts))
+    if (!ordered_soup_make(at, TRIES, kernel, &f->cuts))
         return false;
     f->floats = asked_allocate(3 * count, sizeof *f->floats);
     f->doubles = asked_allocate(3 * count, sizeof *f->doubles);
@@ -124,7 +124,7 @@ static bool make(const index_scene *scene, size_t boxes, size_t evicted, const c
     f->file_nodes = asked_allocate(tribox_index_bytes(count), 1);
     f->mesh_nodes[0] = asked_allocate(tribox_index_bytes(count), 1);
     f->mesh_nodes[1] = asked_allocate(tribox_index_bytes(count), 1);
-    f->file = (tribox_index){.nodes = f->file_nodes, .soup = &scene->room.soup};
+    f->file = (tribox_index){.nodes = f->file_nodes, .soup = &at->work.jobs[0].soup};
     return make_meshes(f) || message_failure("out of memory for meshes") == EXIT_CODE_OK;
 }
 
@@ -135,7 +135,7 @@ static index_question question_of(field *f, kind k)
     return (index_question){.name = kind_names[k],
                             .index = index,
                             .ids = index->ids,
-                            .triangles = f->scene->room.soup.count,
+                            .triangles = f->scene->work.pairs,
                             .soup = index->soup,
                             .mesh = index->mesh,
                             .boxes = k == TURNED       ? NULL
@@ -144,7 +144,7 @@ static index_question question_of(field *f, kind k)
                                                        : f->boxes,
                             .turned = f->turned,
                             .count = f->count,
-                            .linear_count = index_scene_boxes_within(f->scene, k == TURNED ? turned_pairs : linear_pairs, f->count),
+                            .linear_count = scene_boxes_within(f->scene, k == TURNED ? turned_pairs : linear_pairs, f->count),
                             .room = &f->room};
 }
 
@@ -169,7 +169,7 @@ static void measure_builds(asked *q, field *f, effort how, scene_result *r)
     contestant list[BUILDS + 1];
     for (size_t k = 0; k < BUILDS; k++)
         list[k] = (contestant){.run = run_build, .question = question_of(f, kinds[k]).index};
-    list[BUILDS] = (contestant){.run = run_reading, .question = &f->scene->room.soup};
+    list[BUILDS] = (contestant){.run = run_reading, .question = &f->scene->work.jobs[0].soup};
     for (size_t k = 0; k <= BUILDS; k++) {
         list[k].options.kernel = q->kernel;
         list[k].pairs = (double)r->triangles;
@@ -223,7 +223,7 @@ static bool ask_size(asked *q, field *f, int size, effort how, scene_result *r)
     make_boxes(f, size, q->seed);
     for (kind k = OF_FILE; k < KINDS; k++) {
         questions[k] = question_of(f, k);
-        if (!index_forms_verify(&questions[k], index_scene_boxes_within(f->scene, verified_pairs, f->count), q->kernel))
+        if (!index_forms_verify(&questions[k], scene_boxes_within(f->scene, verified_pairs, f->count), q->kernel))
             return false;
         for (index_form form = FORM_LIST; form < FORMS; form++)
             list[(size_t)k * FORMS + form] = index_contestant(&questions[k], form, false, q->kernel);
@@ -318,9 +318,9 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
     tribox_box *const boxes = asked_allocate(count, sizeof *boxes);
     many m = {.index = &f->cuts.index};
     contestant list[MANY_RUNS];
-    index_scene_boxes(f->scene, box_part[size], count, q->seed + 99, boxes);
+    scene_boxes(f->scene, box_part[size], count, q->seed + 99, boxes);
     const bool is_right =
-        make_many(boxes, count, &options, &m) && is_many_right(&m, boxes, f->scene->room.soup.count, &options, f->room.list);
+        make_many(boxes, count, &options, &m) && is_many_right(&m, boxes, f->scene->work.pairs, &options, f->room.list);
     for (size_t c = 0; c < MANY_RUNS; c++)
         list[c] = (contestant){.run = runs[c], .question = &m, .options = options, .pairs = (double)count};
     if (is_right) {
@@ -335,19 +335,19 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------------------- */
 
-static bool ask_scene(asked *q, const index_scene *at, size_t number)
+static bool ask_scene(asked *q, scene *at, size_t number)
 {
     static scene_result result;
     scene_result *const r = &result;
     const bool is_quick = asked_has(q, OPTION_QUICK);
     (void)number;
-    const size_t count = at->room.soup.count, boxes = (size_t)asked_number(q, OPTION_BOXES, is_quick ? 20 : 100);
+    const size_t count = at->work.pairs, boxes = (size_t)asked_number(q, OPTION_BOXES, is_quick ? 20 : 100);
     const effort how = {
         .rounds = (size_t)asked_number(q, OPTION_ROUNDS, is_quick ? 3 : 9), .seconds = 1e9, .sample = sample_seconds};
     static field f;
     bool is_right = make(at, boxes, (size_t)(is_quick ? 16 : 256) << 20, q->kernel, &f);
     *r = (scene_result){.triangles = count, .memory = (double)tribox_index_bytes(count) / (36.0 * (double)count)};
-    memcpy(r->name, at->name, sizeof r->name);
+    r->name = at->name;
     if (is_right) {
         measure_builds(q, &f, how, r);
         printout_table(&q->out, "%s: %zu triangles; us a box, by form of the answer, the least of %zu rounds", r->name, count,
@@ -366,7 +366,8 @@ static bool ask_scene(asked *q, const index_scene *at, size_t number)
 
 static bool answer(asked *q)
 {
-    return index_scenes_ask(q, (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_QUICK) ? 200000 : 10000000), ask_scene);
+    const uint64_t terrain = asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_QUICK) ? 200000 : 10000000);
+    return scenes_ask(q, SCENES_USUAL, (size_t)terrain, ask_scene);
 }
 
 const bench_question question_index = {

@@ -206,52 +206,37 @@ static bool run_depth(asked *q, const char *name, octree *o)
 }
 
 /* Planes of few bits, so that floats hold those of all nodes, and a grid has the same. */
-static void make_cube(const index_scene *at, octree *o)
+static void make_cube(const scene *at, octree *o)
 {
     int exponent;
-    frexp(index_scene_extent(at), &exponent);
-    const double step = ldexp(1, exponent - 9), edge = (floor(index_scene_extent(at) / step) + 2) * step;
+    frexp(scene_extent(at), &exponent);
+    const double step = ldexp(1, exponent - 9), edge = (floor(scene_extent(at) / step) + 2) * step;
     for (int a = 0; a < 3; a++) {
-        o->cube.lo[a] = floor(at->bounds.lo[a] / step) * step;
+        o->cube.lo[a] = floor(at->work.jobs[0].box.lo[a] / step) * step;
         o->cube.hi[a] = o->cube.lo[a] + edge;
     }
 }
 
-static bool ask_scene(asked *q, const index_scene *at)
+static bool ask_scene(asked *q, scene *at, size_t number)
 {
-    const size_t count = at->room.soup.count;
-    timing_work work;
-    if (!index_scene_work(at, &work))
-        return false;
-    bool is_run = timing_work_mesh(&work) || message_failure("not enough memory") == EXIT_CODE_OK;
-    octree o = {.soup = work.jobs[0].soup,
-                .mesh = work.mesh,
-                .triangles = work.triangles,
+    const size_t count = at->work.pairs;
+    bool is_run = timing_work_mesh(&at->work) || message_failure("not enough memory") == EXIT_CODE_OK;
+    (void)number;
+    octree o = {.soup = at->work.jobs[0].soup,
+                .mesh = at->work.mesh,
+                .triangles = at->work.triangles,
                 .own = asked_allocate(count, sizeof *o.own),
                 .lists = asked_allocate((DEPTH_MAX + 1) * (count + 1), sizeof *o.lists),
                 .bytes = asked_allocate((DEPTH_MAX + 1) * (count + 1), 1),
-                .mask = asked_allocate(work.words, sizeof *o.mask),
+                .mask = asked_allocate(at->work.words, sizeof *o.mask),
                 .options = {.accuracy = asked_has(q, OPTION_FAST) ? TRIBOX_FAST : TRIBOX_EXACT, .kernel = q->kernel}};
     make_cube(at, &o);
     for (o.depth = DEPTH_MAX - 2; is_run && o.depth <= DEPTH_MAX; o.depth += 2)
         is_run = run_depth(q, at->name, &o);
-    timing_work_free(&work);
     return is_run;
 }
 
-static bool answer(asked *q)
-{
-    bool is_right = true;
-    for (size_t k = 0; is_right && k < q->meshes.count; k++) {
-        void *const mark = asked_mark();
-        index_scene at;
-        if (!index_scene_read(q->meshes.path[k], &at))
-            return false;
-        is_right = ask_scene(q, &at);
-        asked_release(mark);
-    }
-    return is_right;
-}
+static bool answer(asked *q) { return scenes_ask(q, 0, 0, ask_scene); }
 
 const bench_question question_octree = {
     .name = "octree",

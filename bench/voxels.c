@@ -215,28 +215,28 @@ typedef struct means {
     size_t count;
 } means;
 
-static bool ask_about(asked *q, const index_scene *scene, means *of_meshes)
+static means of_meshes;
+
+static bool ask_scene(asked *q, scene *about, size_t number)
 {
-    timing_work work;
-    bool is_right = index_scene_work(scene, &work);
-    const timing_job *const at = work.jobs;
+    const timing_job *const at = about->work.jobs;
+    const bool is_mesh = asked_has(q, OPTION_NO_SCENES) || number >= 3;
+    bool is_right = true;
     for (size_t r = 0; is_right && r < q->cell_counts; r++) {
         void *const mark = asked_mark();
-        task t = {.name = scene->name, .at = at, .grid = index_scene_grid(scene, q->cells[r])};
+        task t = {.name = about->name, .at = at, .grid = scene_grid(about, q->cells[r])};
         for (size_t c = 0; c < TIMED; c++)
             t.step[c] = 1;
         t.words = tribox_window_words(t.grid.size);
         t.bits = asked_allocate(t.words, sizeof *t.bits);
         t.sample = asked_allocate(at->soup.count, sizeof *t.sample);
         is_right = answer_task(q, &t);
-        for (size_t c = 0; is_right && of_meshes && c < TIMED; c++)
-            of_meshes->logarithm[r][c] += log(measure_least(&q->taken, c) / measure_least(&q->taken, EXACT));
+        for (size_t c = 0; is_right && is_mesh && c < TIMED; c++)
+            of_meshes.logarithm[r][c] += log(measure_least(&q->taken, c) / measure_least(&q->taken, EXACT));
         voxel_words_free(&t.answer);
         asked_release(mark);
     }
-    if (of_meshes)
-        of_meshes->count++;
-    timing_work_free(&work);
+    of_meshes.count += is_mesh;
     return is_right;
 }
 
@@ -260,24 +260,11 @@ static void tell_means(asked *q, const means *m)
 
 static bool answer(asked *q)
 {
-    means m = {.count = 0};
-    bool is_right = true;
     asked_cells(q, asked_has(q, OPTION_QUICK) ? (const uint32_t[]){128, 128} : (const uint32_t[]){256, 1024},
                 asked_has(q, OPTION_QUICK) ? 1 : 2);
-    const size_t scenes = asked_has(q, OPTION_NO_SCENES) ? 0 : MADE_SCENES;
-    for (size_t k = 0; is_right && k < scenes + q->meshes.count; k++) {
-        const bool is_made = k < scenes;
-        void *const mark = asked_mark();
-        index_scene at;
-        if (is_made)
-            index_scene_make((made_scene)k, q->seed, &at);
-        else if (!index_scene_read(q->meshes.path[k - scenes], &at))
-            return false;
-        is_right = ask_about(q, &at, is_made ? NULL : &m);
-        asked_release(mark);
-    }
+    const bool is_right = scenes_ask(q, SCENES_MADE, 0, ask_scene);
     if (is_right)
-        tell_means(q, &m);
+        tell_means(q, &of_meshes);
     return is_right;
 }
 

@@ -12,52 +12,10 @@
 
 /* ---- soups and boxes --------------------------------------------------------------------------------------------------------- */
 
-enum { CACHE_LINE = 64, LINE_FLOATS = CACHE_LINE / sizeof(float) };
-
-void soup_room_make(size_t count, soup_room *made)
-{
-    const size_t stride = (count / LINE_FLOATS + 3) * LINE_FLOATS;
-    float *const to = asked_allocate(9 * stride, sizeof *to);
-    *made = (soup_room){.soup = {.count = count}};
-    for (int v = 0; v < 3; v++) {
-        made->soup.x[v] = made->x[v] = to + (size_t)v * stride;
-        made->soup.y[v] = made->y[v] = to + (size_t)(3 + v) * stride;
-        made->soup.z[v] = made->z[v] = to + (size_t)(6 + v) * stride;
-    }
-}
-
-static void soup_room_put(soup_room *to, size_t i, const float u[3][3])
-{
-    for (int v = 0; v < 3; v++) {
-        to->x[v][i] = u[v][0];
-        to->y[v][i] = u[v][1];
-        to->z[v][i] = u[v][2];
-    }
-}
-
-void soup_triangle(const tribox_soup *soup, size_t i, float u[3][3])
-{
-    for (int v = 0; v < 3; v++) {
-        u[v][0] = soup->x[v][i];
-        u[v][1] = soup->y[v][i];
-        u[v][2] = soup->z[v][i];
-    }
-}
-
 static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
 enum { USUAL = sizeof usual / sizeof usual[0], WITH_GOALS = 3, TORUS_LONG = 500, TORUS_AROUND = 200 };
 
-static size_t index_scene_usual(const char *const **names)
-{
-    const char *const folder = getenv("TRIBOX_MESHES");
-    *names = usual;
-    if (folder && *folder)
-        return USUAL;
-    message_say("no meshes: name some, or a folder with them in TRIBOX_MESHES; skipped");
-    return 0;
-}
-
-bool index_scene_has_goals(const char *name)
+bool scene_has_goals(const char *name)
 {
     for (int k = 0; k < WITH_GOALS; k++)
         if (!strcmp(name, usual[k]))
@@ -65,45 +23,45 @@ bool index_scene_has_goals(const char *name)
     return false;
 }
 
-static void find_bounds(index_scene *made)
+static bool has_room(scene *made, size_t triangles)
 {
-    const float *const *const streams[3] = {made->room.soup.x, made->room.soup.y, made->room.soup.z};
-    for (int a = 0; a < 3; a++) {
-        float lo = INFINITY, hi = -INFINITY;
-        for (int v = 0; v < 3; v++)
-            for (size_t i = 0; i < made->room.soup.count; i++) {
-                lo = fminf(lo, streams[a][v][i]);
-                hi = fmaxf(hi, streams[a][v][i]);
-            }
-        made->bounds.lo[a] = lo;
-        made->bounds.hi[a] = hi;
+    return timing_work_make(&made->work, 1, timing_work_room(triangles)) ||
+           message_failure("out of memory for %zu triangles", triangles) == EXIT_CODE_OK;
+}
+
+/* What has been written to its triangles is one job, against its bounds. */
+static void add_whole(scene *made, size_t count)
+{
+    const timing_job job = timing_work_soup(&made->work, count);
+    tribox_box bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (size_t k = 0; k < 9 * count; k++) {
+        const double x = (double)job.triangles[k / 9][k / 3 % 3][k % 3];
+        bounds.lo[k % 3] = fmin(bounds.lo[k % 3], x);
+        bounds.hi[k % 3] = fmax(bounds.hi[k % 3], x);
     }
+    timing_work_add(&made->work, &job, &bounds);
 }
 
-static bool is_finite(const float u[3][3])
-{
-    float sum = 0;
-    for (int k = 0; k < 9; k++)
-        sum += u[k / 3][k % 3] - u[k / 3][k % 3];
-    return sum == 0;
-}
-
-bool index_scene_read(const char *name, index_scene *made)
+bool scene_read(const char *path, scene *made)
 {
     mesh m;
-    if (!mesh_list_read(name, &m))
+    if (!mesh_list_read(path, &m))
         return false;
-    snprintf(made->name, sizeof made->name, "%s", mesh_list_name(name));
-    soup_room_make(m.soup.count - m.not_finite, &made->room);
-    for (size_t i = 0, to = 0; i < m.soup.count; i++) {
-        float u[3][3];
-        soup_triangle(&m.soup, i, u);
-        if (is_finite((const float(*)[3])u)) /* the peers know nothing else */
-            soup_room_put(&made->room, to++, (const float(*)[3])u);
+    *made = (scene){.name = mesh_list_name(path), .what = "a mesh"};
+    const bool is_made = has_room(made, m.soup.count);
+    size_t kept = 0;
+    for (size_t i = 0; is_made && i < m.soup.count; i++) {
+        float(*const u)[3] = made->work.triangles[kept], sum = 0;
+        for (int v = 0; v < 3; v++)
+            memcpy(u[v], (const float[3]){m.soup.x[v][i], m.soup.y[v][i], m.soup.z[v][i]}, sizeof u[v]);
+        for (int k = 0; k < 9; k++)
+            sum += u[k / 3][k % 3] - u[k / 3][k % 3];
+        kept += sum == 0; /* the peers know finite ones alone */
     }
-    find_bounds(made);
+    if (is_made)
+        add_whole(made, kept);
     mesh_free(&m);
-    return true;
+    return is_made;
 }
 
 /* Places are jittered, and what hills there are has no preferred size. */
@@ -119,28 +77,28 @@ static void terrain_vertex(generator *g, size_t i, size_t j, size_t side, float 
     u[2] = (float)z;
 }
 
-static void index_scene_terrain(size_t triangles, uint64_t seed, index_scene *made)
+static bool make_terrain(size_t triangles, uint64_t seed, scene *made)
 {
-    size_t side = (size_t)sqrt((double)triangles / 2);
-    side = side ? side : 1;
+    const size_t side = triangles > 2 ? (size_t)sqrt((double)triangles / 2) : 1;
     generator g = {seed};
     float(*const row)[3] = asked_allocate(2 * (side + 1), sizeof *row);
-    snprintf(made->name, sizeof made->name, "terrain");
-    soup_room_make(2 * side * side, &made->room);
+    *made = (scene){.name = "terrain", .what = "a height field"};
+    if (!has_room(made, 2 * side * side))
+        return false;
     for (size_t j = 0, to = 0; j <= side; j++) {
         float(*const here)[3] = row + j % 2 * (side + 1), (*const before)[3] = row + (j + 1) % 2 * (side + 1);
         for (size_t i = 0; i <= side; i++)
             terrain_vertex(&g, i, j, side, here[i]);
         for (size_t i = 0; j && i < side; i++)
             for (size_t half = 0; half < 2; half++) {
-                float u[3][3];
+                float(*const u)[3] = made->work.triangles[to++];
                 memcpy(u[0], before[i], sizeof u[0]);
                 memcpy(u[1], half ? here[i + 1] : before[i + 1], sizeof u[1]);
                 memcpy(u[2], half ? here[i] : here[i + 1], sizeof u[2]);
-                soup_room_put(&made->room, to++, (const float(*)[3])u);
             }
     }
-    find_bounds(made);
+    add_whole(made, 2 * side * side);
+    return true;
 }
 
 /* Around a ring, two triangles a patch. */
@@ -161,40 +119,34 @@ static void draw_reach(generator *g, float reach, float u[3][3])
     }
 }
 
-void index_scene_make(made_scene which, uint64_t seed, index_scene *made)
+/* A torus of 200,000 triangles; as many anywhere, a hundredth of the whole long; twelve across the whole. */
+enum { SCENE_TORUS, SCENE_SMALL, SCENE_HUGE, MADE_SCENES };
+
+static bool make_shape(size_t which, uint64_t seed, scene *made)
 {
     const size_t count = which == SCENE_HUGE ? 12 : 2 * TORUS_LONG * TORUS_AROUND;
     generator g = {seed};
-    snprintf(made->name, sizeof made->name, "%s", (const char *[]){"torus", "small", "huge"}[which]);
-    soup_room_make(count, &made->room);
+    *made = (scene){.name = (const char *[]){"torus", "small", "huge"}[which], .what = "made here"};
+    if (!has_room(made, count))
+        return false;
     for (size_t i = 0; i < count; i++) {
         const int along = (int)(i / 2 / TORUS_AROUND), around = (int)(i / 2 % TORUS_AROUND), half = (int)(i % 2);
-        float u[3][3];
+        float(*const u)[3] = made->work.triangles[i];
         if (which == SCENE_TORUS) {
             torus_vertex(u[0], along, around + half);
             torus_vertex(u[1], along + 1, around);
             torus_vertex(u[2], along + half, around + 1);
         } else
             draw_reach(&g, which == SCENE_SMALL ? 0.01f : 1, u);
-        soup_room_put(&made->room, i, (const float(*)[3])u);
     }
-    find_bounds(made);
-}
-
-bool index_scene_work(const index_scene *scene, timing_work *made)
-{
-    const tribox_soup *const soup = &scene->room.soup;
-    if (!timing_work_make(made, 1, timing_work_room(soup->count)))
-        return message_failure("out of memory for %zu triangles", soup->count) == EXIT_CODE_OK;
-    const timing_job job = timing_work_copy(made, soup, NULL, soup->count);
-    timing_work_add(made, &job, &scene->bounds);
+    add_whole(made, count);
     return true;
 }
 
-tribox_grid index_scene_grid(const index_scene *scene, uint32_t along)
+tribox_grid scene_grid(const scene *at, uint32_t along)
 {
-    const tribox_box *const box = &scene->bounds;
-    const double cell = (double)(float)(index_scene_extent(scene) / along * 1.0001); /* what lies on the far side lies inside */
+    const tribox_box *const box = &at->work.jobs[0].box;
+    const double cell = (double)(float)(scene_extent(at) / along * 1.0001); /* what lies on the far side lies inside */
     tribox_grid grid;
     for (int a = 0; a < 3; a++) {
         grid.origin[a] = box->lo[a];
@@ -204,37 +156,43 @@ tribox_grid index_scene_grid(const index_scene *scene, uint32_t along)
     return grid;
 }
 
-bool index_scenes_ask(asked *q, size_t terrain, index_scene_answer *ask)
+static void take_usual(mesh_list *list)
 {
-    const char *const *names;
-    const size_t count = q->meshes.count || asked_has(q, OPTION_QUICK) ? 0 : index_scene_usual(&names);
+    const char *const folder = getenv("TRIBOX_MESHES");
+    if (!folder || !*folder)
+        message_say("no meshes: name some, or a folder with them in TRIBOX_MESHES; skipped");
+    for (int k = 0; folder && *folder && k < USUAL; k++)
+        mesh_list_take(list, usual[k]);
+}
+
+bool scenes_ask(asked *q, unsigned kinds, size_t terrain, scene_answer *ask)
+{
+    if (kinds & SCENES_USUAL && !q->meshes.count && !asked_has(q, OPTION_QUICK))
+        take_usual(&q->meshes);
+    const size_t made = kinds & SCENES_MADE && !asked_has(q, OPTION_NO_SCENES) ? MADE_SCENES : 0, named = made + q->meshes.count;
     bool is_right = true;
-    for (size_t k = 0; k < count; k++)
-        mesh_list_take(&q->meshes, names[k]);
-    for (size_t k = 0; is_right && k < q->meshes.count + (terrain > 0); k++) {
+    for (size_t k = 0; is_right && k < named + (terrain > 0); k++) {
         void *const mark = asked_mark();
-        index_scene at;
-        if (k == q->meshes.count)
-            index_scene_terrain(terrain, q->seed, &at);
-        else if (!index_scene_read(q->meshes.path[k], &at))
-            return false;
-        is_right = ask(q, &at, k);
+        scene at = {.name = NULL};
+        is_right = (k < made    ? make_shape(k, q->seed, &at)
+                    : k < named ? scene_read(q->meshes.path[k - made], &at)
+                                : make_terrain(terrain, q->seed, &at)) &&
+                   ask(q, &at, k);
+        scene_free(&at);
         asked_release(mark);
     }
     return is_right;
 }
 
-double index_scene_extent(const index_scene *scene)
+double scene_extent(const scene *at)
 {
-    double extent = 0;
-    for (int a = 0; a < 3; a++)
-        extent = fmax(extent, (double)scene->bounds.hi[a] - (double)scene->bounds.lo[a]);
-    return extent;
+    const tribox_box *const box = &at->work.jobs[0].box;
+    return fmax(fmax(box->hi[0] - box->lo[0], box->hi[1] - box->lo[1]), box->hi[2] - box->lo[2]);
 }
 
-size_t index_scene_boxes_within(const index_scene *scene, size_t pairs, size_t most)
+size_t scene_boxes_within(const scene *at, size_t pairs, size_t most)
 {
-    const size_t boxes = pairs / scene->room.soup.count;
+    const size_t boxes = pairs / at->work.pairs;
     return boxes == 0 ? 1 : boxes < most ? boxes : most;
 }
 
@@ -245,13 +203,12 @@ static double as_float(double number)
     return nearest;
 }
 
-void index_scene_boxes(const index_scene *scene, double part, size_t count, uint64_t seed, tribox_box *boxes)
+void scene_boxes(const scene *at, double part, size_t count, uint64_t seed, tribox_box *boxes)
 {
     generator g = {seed};
-    const double half = index_scene_extent(scene) * part / 2;
+    const double half = scene_extent(at) * part / 2;
     for (size_t b = 0; b < count; b++) {
-        float u[3][3];
-        soup_triangle(&scene->room.soup, random_below(&g, scene->room.soup.count), u);
+        float(*const u)[3] = at->work.triangles[random_below(&g, at->work.pairs)];
         double p = (double)random_between(&g, 0, 1), q = (double)random_between(&g, 0, 1);
         if (p + q > 1) {
             p = 1 - p;
@@ -283,35 +240,40 @@ static double keep_least(double *least, double begin, size_t count)
     return seconds_now();
 }
 
-static bool try_once(const index_scene *scene, const char *kernel, void *scratch, ordered_soup *made)
+static bool try_once(const tribox_soup *soup, float *const to[9], const char *kernel, void *scratch, ordered_soup *made)
 {
-    const tribox_soup *const soup = &scene->room.soup;
     double begin = seconds_now();
     if (tribox_soup_sort(soup, made->ids, scratch))
         return false;
     begin = keep_least(&made->cost.order, begin, soup->count);
-    if (tribox_soup_gather(soup, made->ids, 0, soup->count, made->room.x, made->room.y, made->room.z))
+    if (tribox_soup_gather(soup, made->ids, 0, soup->count, to, to + 3, to + 6))
         return false;
     begin = keep_least(&made->cost.gather, begin, soup->count);
-    made->index = (tribox_index){.nodes = made->memory, .soup = &made->room.soup, .ids = made->ids};
     if (tribox_index_build(&made->index, &(tribox_options){.kernel = kernel}, made->memory))
         return false;
     keep_least(&made->cost.build, begin, soup->count);
     return true;
 }
 
-bool ordered_soup_make(const index_scene *scene, int tries, const char *kernel, ordered_soup *made)
+bool ordered_soup_make(const scene *at, int tries, const char *kernel, ordered_soup *made)
 {
-    const size_t count = scene->room.soup.count;
+    const size_t count = at->work.pairs, stride = timing_work_room(count) + 32; /* not the same place of a page */
     void *const scratch = asked_allocate(count, 16);
-    *made = (ordered_soup){.ids = asked_allocate(count, sizeof *made->ids),
+    float *const streams = asked_allocate(9 * stride, sizeof *streams), *to[9];
+    *made = (ordered_soup){.soup = {.count = count},
+                           .ids = asked_allocate(count, sizeof *made->ids),
                            .memory = asked_allocate(tribox_index_bytes(count), 1),
                            .cost = {INFINITY, INFINITY, INFINITY}};
     bool is_made = true;
-    soup_room_make(count, &made->room);
+    for (size_t v = 0; v < 3; v++) {
+        made->soup.x[v] = to[v] = streams + v * stride;
+        made->soup.y[v] = to[3 + v] = streams + (3 + v) * stride;
+        made->soup.z[v] = to[6 + v] = streams + (6 + v) * stride;
+    }
+    made->index = (tribox_index){.nodes = made->memory, .soup = &made->soup, .ids = made->ids};
     for (int t = 0; is_made && t < tries; t++)
-        is_made = try_once(scene, kernel, scratch, made);
-    return is_made || message_failure("%s cannot be ordered or indexed", scene->name) == EXIT_CODE_OK;
+        is_made = try_once(&at->work.jobs[0].soup, to, kernel, scratch, made);
+    return is_made || message_failure("%s cannot be ordered or indexed", at->name) == EXIT_CODE_OK;
 }
 
 /* ---- forms of answers -------------------------------------------------------------------------------------------------------- */

@@ -3,65 +3,45 @@
 #define BENCH_BOX_SCENES_H
 
 #include "asked.h"
+#include "soups.h"
 
-typedef struct soup_room {
-    tribox_soup soup;          /* the streams, to be read */
-    float *x[3], *y[3], *z[3]; /* the same, to be written */
-} soup_room;
+/* The finite triangles of a file, in its order, against their bounds. False, with a message, if it cannot be read. */
+bool scene_read(const char *path, scene *made);
 
-/* Of asked_allocate, as all here: streams that begin on cache lines, no two of them at the same place of a page. */
-void soup_room_make(size_t count, soup_room *made);
+/* The grid of so many cubes along the longest side of its box. */
+tribox_grid scene_grid(const scene *at, uint32_t along);
 
-/* Triangle i as vertices: u[v][a] is axis a of vertex v. */
-void soup_triangle(const tribox_soup *soup, size_t i, float u[3][3]);
-
-typedef struct index_scene {
-    char name[64];
-    soup_room room; /* in the order of the file; finite triangles alone */
-    tribox_box bounds;
-} index_scene;
-
-/* A mesh of a file. False, with a message, if it cannot be read. */
-bool index_scene_read(const char *name, index_scene *made);
-
-/* A torus of 200,000 triangles; as many anywhere, a hundredth of the whole long; twelve across the whole. */
-typedef enum made_scene { SCENE_TORUS, SCENE_SMALL, SCENE_HUGE, MADE_SCENES } made_scene;
-void index_scene_make(made_scene which, uint64_t seed, index_scene *made);
-
-/* Its triangles as one job against its bounds. False, with a message, if memory fails. */
-bool index_scene_work(const index_scene *scene, timing_work *made);
-
-/* The grid of so many cubes along the longest side. */
-tribox_grid index_scene_grid(const index_scene *scene, uint32_t along);
-
-typedef bool index_scene_answer(asked *q, const index_scene *at, size_t number);
+typedef bool scene_answer(asked *q, scene *at, size_t number);
 
 /*
- * Asks about the meshes of the command line and then about a terrain of so many triangles, if any: a height field over a square, in
- * rows as scanners leave them. Where no mesh is named, and it shall not be quick, about those of the folder $TRIBOX_MESHES that
- * goals are about, and one of few huge triangles; with a message where there is no such folder.
+ * Asks about three shapes that are made here, if they are of the kinds; about the meshes of the command line; and about a terrain
+ * of so many triangles, if any: a height field over a square, in rows as scanners leave them. SCENES_USUAL: where no mesh is named,
+ * and it shall not be quick, about those of the folder $TRIBOX_MESHES that goals are about, and one of few huge triangles; with a
+ * message where there is no such folder.
  */
-bool index_scenes_ask(asked *q, size_t terrain, index_scene_answer *ask);
+enum { SCENES_MADE = 1, SCENES_USUAL = 2 };
+bool scenes_ask(asked *q, unsigned kinds, size_t terrain, scene_answer *ask);
 
 /* Whether the goals are about the mesh of this name. */
-bool index_scene_has_goals(const char *name);
+bool scene_has_goals(const char *name);
 
-/* The length of the longest side. */
-double index_scene_extent(const index_scene *scene);
+/* The length of the longest side of its box. */
+double scene_extent(const scene *at);
 
 /* How many boxes make so many pairs with all triangles, from 1 to most. */
-size_t index_scene_boxes_within(const index_scene *scene, size_t pairs, size_t most);
+size_t scene_boxes_within(const scene *at, size_t pairs, size_t most);
 
 /* Cubes whose edge is `part` of the greatest extent, each around a random point of a random triangle. */
-void index_scene_boxes(const index_scene *scene, double part, size_t count, uint64_t seed, tribox_box *boxes);
+void scene_boxes(const scene *at, double part, size_t count, uint64_t seed, tribox_box *boxes);
 
 /* Nanoseconds of a triangle, the least of some tries. */
 typedef struct order_cost {
     double order, gather, build;
 } order_cost;
 
+/* Refers to itself: it stays where it is made. What it has is asked_allocate's. */
 typedef struct ordered_soup {
-    soup_room room;
+    tribox_soup soup;
     uint32_t *ids; /* the triangles' numbers in the file */
     void *memory;
     tribox_index index;
@@ -69,7 +49,7 @@ typedef struct ordered_soup {
 } ordered_soup;
 
 /* tries: of which the least times are kept. kernel: of the index. False, with a message, if the library fails. */
-bool ordered_soup_make(const index_scene *scene, int tries, const char *kernel, ordered_soup *made);
+bool ordered_soup_make(const scene *at, int tries, const char *kernel, ordered_soup *made);
 
 typedef enum index_form { FORM_LIST, FORM_COUNT, FORM_ANY, FORM_WORDS, FORM_MASK, FORM_LINEAR, FORMS } index_form;
 

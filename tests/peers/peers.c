@@ -48,10 +48,10 @@ typedef struct peer_errors {
 } peer_errors;
 
 typedef struct field {
-    const index_scene *scene;
+    const scene *scene;
     ordered_soup soup;
     answer_room room;
-    float (*triangles)[3][3];
+    const float (*triangles)[3][3];
     peer_field peers[PEERS_MAX];
     size_t peer_count;
     const tribox_box *boxes;
@@ -74,21 +74,18 @@ enum { ENTRANT_LIST, ENTRANT_ANY, ENTRANT_LINEAR, ENTRANTS_OF_INDEX };
 static const double once_seconds = 1, warm_seconds = 0.1; /* a pass of more than so long fills the caches by itself */
 
 /* False, with a message, if memory or the library fails. */
-static bool field_make(const index_scene *scene, size_t boxes_most, field *made)
+static bool field_make(const scene *at, size_t boxes_most, field *made)
 {
-    const size_t count = scene->room.soup.count;
-    *made = (field){.scene = scene};
-    made->triangles = malloc(count * sizeof *made->triangles);
+    const size_t count = at->work.pairs;
+    *made = (field){.scene = at, .triangles = at->work.jobs[0].triangles};
     made->start = malloc((boxes_most + 1) * sizeof *made->start);
     answer_room_make(count, 1, &made->room);
-    if (!made->triangles || !made->start || !ordered_soup_make(scene, 1, NULL, &made->soup))
+    if (!made->start || !ordered_soup_make(at, 1, NULL, &made->soup))
         return false;
-    for (size_t i = 0; i < count; i++)
-        soup_triangle(&scene->room.soup, i, made->triangles[i]);
     for (size_t p = 0; peers_here[p]; p++) {
         const double begin = clock_seconds();
         peer_field *const to = &made->peers[made->peer_count++];
-        *to = (peer_field){.peer = peers_here[p], .tree = peers_here[p]->make((const float(*)[3][3])made->triangles, count)};
+        *to = (peer_field){.peer = peers_here[p], .tree = peers_here[p]->make(made->triangles, count)};
         to->seconds = clock_seconds() - begin;
         to->lists.start = malloc((boxes_most + 1) * sizeof *to->lists.start);
         if (!to->lists.start)
@@ -105,7 +102,6 @@ static void field_free(field *f)
         free(f->peers[p].lists.list);
         free(f->peers[p].lists.start);
     }
-    free(f->triangles);
     free(f->list);
     free(f->start);
 }
@@ -125,8 +121,7 @@ static bool answer_by_index(field *f)
     f->list = NULL;
     for (size_t b = 0; b < f->box_count; b++) {
         f->start[b] = found;
-        if (tribox_index_list(&f->soup.index, &(tribox_region){.box = &f->boxes[b]}, NULL, f->soup.room.soup.count, f->room.list,
-                              &room))
+        if (tribox_index_list(&f->soup.index, &(tribox_region){.box = &f->boxes[b]}, NULL, f->soup.soup.count, f->room.list, &room))
             return message_failure("the index refuses a question") == EXIT_CODE_OK;
         uint32_t *const list = realloc(f->list, (found + room + 1) * sizeof *list);
         if (!list)
@@ -143,7 +138,7 @@ static bool answer_by_index(field *f)
 /* Whether the answer changes where the box is a little larger or smaller: what float cannot tell. */
 static bool is_near(const field *f, uint32_t triangle, const tribox_box *box, bool is_missing)
 {
-    const float(*const u)[3] = (const float(*)[3])f->triangles[triangle];
+    const float(*const u)[3] = f->triangles[triangle];
     tribox_soup one = {.count = 1};
     float most = 0;
     tribox_box moved = *box;
@@ -208,8 +203,8 @@ static index_question question_of(field *f, size_t linear_boxes)
     return (index_question){.name = "cuts",
                             .index = &f->soup.index,
                             .ids = f->soup.ids,
-                            .triangles = f->soup.room.soup.count,
-                            .soup = &f->soup.room.soup,
+                            .triangles = f->soup.soup.count,
+                            .soup = &f->soup.soup,
                             .boxes = f->boxes,
                             .count = f->box_count,
                             .linear_count = linear_boxes,
@@ -320,7 +315,7 @@ static const double peer_part[PEER_SIZES] = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3,
 static const size_t linear_pairs = 100000000, verified_pairs = 5000000;
 
 typedef struct peers_result {
-    char name[64];
+    const char *name;
     size_t entrant_count;
     entrant entrants[FIELD_MAX]; /* by name alone: their peers may be gone */
     double us[PEER_SIZES][FIELD_MAX];
@@ -355,11 +350,11 @@ static void tell_size(printout *out, const peers_result *r, int size, double hit
 
 static bool run_size(asked *q, field *f, int size, tribox_box *boxes, size_t count, peers_result *r, peer_errors unlike[PEERS_MAX])
 {
-    index_scene_boxes(f->scene, peer_part[size], count, q->seed + (uint64_t)size, boxes);
-    if (!field_answer(f, boxes, count, index_scene_boxes_within(f->scene, verified_pairs, count), unlike))
+    scene_boxes(f->scene, peer_part[size], count, q->seed + (uint64_t)size, boxes);
+    if (!field_answer(f, boxes, count, scene_boxes_within(f->scene, verified_pairs, count), unlike))
         return false;
     if (!asked_has(q, OPTION_VERIFY)) {
-        field_time(f, (size_t)asked_number(q, OPTION_ROUNDS, 9), index_scene_boxes_within(f->scene, linear_pairs, count), &q->order,
+        field_time(f, (size_t)asked_number(q, OPTION_ROUNDS, 9), scene_boxes_within(f->scene, linear_pairs, count), &q->order,
                    r->us[size]);
         tell_size(&q->out, r, size, (double)f->start[count] / (double)count);
     }
@@ -381,7 +376,7 @@ static void tell_errors(printout *out, const field *f, size_t boxes, size_t hits
 
 static peers_result all_results[RESULTS_MAX];
 
-static bool run_scene(asked *q, const index_scene *at, size_t number)
+static bool run_scene(asked *q, scene *at, size_t number)
 {
     peers_result *const r = &all_results[number];
     const size_t count = (size_t)asked_number(q, OPTION_BOXES, asked_has(q, OPTION_VERIFY) ? 5 : 50);
@@ -391,11 +386,11 @@ static bool run_scene(asked *q, const index_scene *at, size_t number)
     tribox_box *const boxes = asked_allocate(count, sizeof *boxes);
     bool is_run = field_make(at, count, &f);
     const order_cost *const cost = &f.soup.cost;
-    memcpy(r->name, at->name, sizeof r->name);
+    r->name = at->name;
     r->entrant_count = field_entrants(&f, r->entrants);
     if (is_run && !asked_has(q, OPTION_VERIFY))
-        printout_table(&q->out, "%s: %zu triangles; seconds to build the index %.3f", r->name, at->room.soup.count,
-                       1e-9 * (double)at->room.soup.count * (cost->order + cost->gather + cost->build));
+        printout_table(&q->out, "%s: %zu triangles; seconds to build the index %.3f", r->name, at->work.pairs,
+                       1e-9 * (double)at->work.pairs * (cost->order + cost->gather + cost->build));
     for (int size = 0; is_run && size < PEER_SIZES; size++) {
         is_run = run_size(q, &f, size, boxes, count, r, unlike);
         hits += is_run ? f.start[count] : 0;
@@ -435,7 +430,7 @@ static double mean_times(const peers_result *results, size_t count, const char *
     size_t found = 0;
     for (size_t r = 0; r < count; r++) {
         const size_t e = entrant_called(&results[r], name, false);
-        if (!index_scene_has_goals(results[r].name) || e == results[r].entrant_count)
+        if (!scene_has_goals(results[r].name) || e == results[r].entrant_count)
             continue;
         logarithm += log(times_own(&results[r], size, e));
         found++;
@@ -479,7 +474,7 @@ static void tell_goals(printout *out, const peers_result *results, size_t count)
 static bool answer(asked *q)
 {
     const size_t terrain = (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_VERIFY) ? 20000 : 0);
-    const bool is_right = index_scenes_ask(q, terrain, run_scene);
+    const bool is_right = scenes_ask(q, SCENES_USUAL, terrain, run_scene);
     if (is_right && !asked_has(q, OPTION_VERIFY))
         tell_goals(&q->out, all_results, q->meshes.count + (terrain > 0));
     return is_right;
