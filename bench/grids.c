@@ -1,12 +1,14 @@
 /*
- * grids.c - what do the answers about a grid cost, in time and memory: bits, cells, ids, lists, bricks, and filling?
+ * grids.c - what do the answers about a grid cost, in time and memory: bits, cells, ids, lists, bricks, and filling? And the bits
+ * beside the paper's test for each cell, Schwarz and Seidel (rivals.h), and reading the soup?
  *
  * The ways take turns, round after round, each in a process of its own, whose peak of memory is its own: in memory that is new, and
- * then in the same memory. All have to find the same cells, and bricks that were kept are those of dense bits, or nothing is
- * said. CPU time, page faults included.
+ * then in the same memory. Bits have to be those of the scalar kernel on every kernel, CONSERVATIVE a superset; all others have to
+ * find the same cells, and bricks that were kept are those of dense bits, or nothing is said. CPU time, page faults included.
  */
 #define _DEFAULT_SOURCE
 #include <math.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -14,7 +16,10 @@
 #include <unistd.h>
 
 #include "common/box_scenes.h"
+#include "common/rivals.h"
+#include "console/clock.h"
 #include "console/pages.h"
+#include "voxelize/layers.h"
 
 enum { CHUNK = 8192, TILE = 128, TILE_OF_IDS = 64, WARM = 3 /* runs in memory that is not new */ };
 
@@ -32,6 +37,8 @@ typedef struct chunk {
 /* A question, and what a process has for it. */
 typedef struct work {
     const tribox_soup *soup;
+    const float (*triangles)[3][3];
+    const uint64_t *truth; /* NULL where bits are not compared with it */
     tribox_grid grid;
     tribox_options options;
     uint32_t tile; /* 0 for what is usual */
@@ -44,11 +51,13 @@ typedef struct work {
     size_t in_last;
     double listing;         /* of `seconds`, for lists of triangles by tile */
     uint64_t found, bricks; /* cells and bricks that are set */
+    volatile uint32_t seen; /* of what is read alone */
 } work;
 
 typedef struct found {
     double fresh, warm, listing, megabytes;
     uint64_t cells, bricks, sum; /* 0 where it is not known */
+    uint64_t missed, untrue;     /* cells, compared with the truth */
 } found;
 
 static double cpu_seconds(void)
@@ -81,34 +90,21 @@ static uint64_t mixed(uint64_t h)
     return h ^ h >> 33;
 }
 
-static uint64_t sum_of(const uint32_t at[3], const uint64_t bits[8])
+/* Of eight cells that begin at cell 8 x of row j of layer k. */
+static uint64_t sum_of(uint64_t x, uint64_t j, uint64_t k, uint64_t byte)
 {
-    uint64_t h = mixed(at[0] + ((uint64_t)at[1] << 21) + ((uint64_t)at[2] << 42));
-    for (uint64_t k = 0; k < 8; k++)
-        h = mixed(h ^ bits[k]) + k;
-    return h;
+    return byte ? mixed(byte + (x << 8) + (j << 26) + (k << 45)) : 0;
 }
 
-/* The bricks of dense bits. */
 static uint64_t sum_dense(const work *w)
 {
-    const size_t row = tribox_mask_words(w->grid.size[0]);
     const uint32_t *const size = w->grid.size;
+    const size_t row = tribox_mask_words(size[0]);
     uint64_t sum = 0;
-    uint32_t at[3];
-    for (at[2] = 0; 8 * at[2] < size[2]; at[2]++)
-        for (at[1] = 0; 8 * at[1] < size[1]; at[1]++)
-            for (at[0] = 0; 8 * at[0] < size[0]; at[0]++) {
-                uint64_t words[8] = {0}, any = 0;
-                for (uint32_t n = 0; n < 64; n++) {
-                    const uint32_t j = 8 * at[1] + n % 8, k = 8 * at[2] + n / 8;
-                    const bool is_in = j < size[1] && k < size[2];
-                    const uint64_t byte = is_in ? w->bits[((size_t)k * size[1] + j) * row + at[0] / 8] >> at[0] % 8 * 8 & 0xff : 0;
-                    words[n / 8] |= byte << n % 8 * 8;
-                    any |= byte;
-                }
-                sum += any ? sum_of(at, words) : 0;
-            }
+    for (size_t k = 0; k < size[2]; k++)
+        for (size_t j = 0; j < size[1]; j++)
+            for (size_t x = 0; x < 8 * row; x++)
+                sum += sum_of(x, j, k, w->bits[(k * size[1] + j) * row + x / 8] >> x % 8 * 8 & 0xff);
     return sum;
 }
 
@@ -117,8 +113,10 @@ static uint64_t sum_kept(const work *w)
     uint64_t sum = 0;
     size_t count = w->in_last;
     for (const chunk *c = w->last; c; c = c->before, count = CHUNK)
-        for (size_t i = 0; i < count; i++)
-            sum += sum_of(c->bricks[i].at, c->bricks[i].bits);
+        for (size_t i = 0; i < 64 * count; i++) {
+            const brick *const b = &c->bricks[i / 64];
+            sum += sum_of(b->at[0], 8 * b->at[1] + i % 8, 8 * b->at[2] + i / 8 % 8, b->bits[i / 8 % 8] >> i % 8 * 8 & 0xff);
+        }
     return sum;
 }
 
@@ -169,6 +167,30 @@ static bool run_window(work *w)
     const bool is = !tribox_voxelize(w->soup, &w->grid, NULL, &w->options, w->bits, &report);
     w->found = report.overlapping;
     return is;
+}
+
+static bool run_threads(work *w)
+{
+    const voxel_task task = voxel_task_of_soup(w->soup, &w->grid, &w->options);
+    return !voxelize_in_threads(&task, 2, w->bits, NULL, NULL);
+}
+
+static bool run_seidel(work *w)
+{
+    voxelize_schwarz_seidel(&w->grid, w->triangles, w->soup->count, w->bits);
+    return true;
+}
+
+static bool run_cell_by_cell(work *w)
+{
+    voxelize_cell_by_cell(&w->grid, w->triangles, w->soup->count, w->bits);
+    return true;
+}
+
+static bool run_reading(work *w)
+{
+    w->seen = loads_all(w->soup);
+    return true;
 }
 
 static bool run_ids(work *w)
@@ -270,15 +292,39 @@ static bool run_bricks_ids(work *w) { return run_bricks(w, NULL, &(tribox_ids_si
 
 static bool run_bricks_lists(work *w) { return run_bricks(w, NULL, NULL, &(tribox_lists_sink){look_at_lists, w}); }
 
-/* What a way needs before the clock runs. Pages are taken when they are first touched. */
-enum { NEEDS_BITS = 1, NEEDS_SURFACE = 2, NEEDS_CELLS = 4, NEEDS_SOLID = 8, NEEDS_IDS = 16, NEEDS_STARTS = 32, IS_LARGE = 64 };
+/* What a way needs before the clock runs, and what it is. Pages are taken when they are first touched. */
+enum {
+    NEEDS_BITS = 1,
+    NEEDS_SURFACE = 2,
+    NEEDS_CELLS = 4,
+    NEEDS_SOLID = 8,
+    NEEDS_IDS = 16,
+    NEEDS_STARTS = 32,
+    IS_LARGE = 64,
+    IS_CONSERVATIVE = 128,
+    IS_ROUNDED = 256,
+    IS_FAST = 512,
+    HAS_THREADS = 1024 /* timed by the clock */
+};
 
-static const struct way {
+typedef struct way {
     const char *name;
     bool (*run)(work *w);
     int most; /* cells, as a power of two */
     unsigned needs;
-} ways[] = {
+} way;
+
+static const way list_to_bits[] = {
+    {"exact", run_window, 37, NEEDS_BITS},
+    {"conservative", run_window, 37, NEEDS_BITS | IS_CONSERVATIVE},
+    {"fast", run_window, 37, NEEDS_BITS | IS_FAST | IS_ROUNDED},
+    {"exact, 2 threads", run_threads, 37, NEEDS_BITS | HAS_THREADS},
+    {"Schwarz-Seidel", run_seidel, 37, NEEDS_BITS | IS_ROUNDED},
+    {"cell by cell", run_cell_by_cell, 37, NEEDS_BITS | IS_ROUNDED},
+    {"reading", run_reading, 63, 0},
+};
+
+static const way list_to_answers[] = {
     {"window", run_window, 37, NEEDS_BITS},
     {"window, large pages", run_window, 37, NEEDS_BITS | IS_LARGE},
     {"its cells", run_cells, 34, NEEDS_BITS | NEEDS_SURFACE | NEEDS_CELLS},
@@ -292,11 +338,18 @@ static const struct way {
     {"bricks with ids", run_bricks_ids, 63, 0},
     {"bricks with lists", run_bricks_lists, 63, 0},
 };
-enum { WAYS = sizeof ways / sizeof ways[0] };
+enum { WAYS_MOST = 12 };
 
-static bool make(const struct way *way, work *w)
+typedef struct ways {
+    const way *list;
+    size_t count;
+} ways;
+static const ways to_bits = {list_to_bits, sizeof list_to_bits / sizeof list_to_bits[0]},
+                  to_answers = {list_to_answers, sizeof list_to_answers / sizeof list_to_answers[0]};
+
+static bool make(const way *as, work *w)
 {
-    const unsigned needs = way->needs;
+    const unsigned needs = as->needs;
     const size_t bytes = w->words * sizeof *w->bits;
     bool is = true;
     if (needs & NEEDS_BITS)
@@ -314,39 +367,49 @@ static bool make(const struct way *way, work *w)
     return is;
 }
 
-static bool run_once(const struct way *way, work *w, double *seconds)
+/* A rival that takes longer than so many seconds is ended, and nobody who takes longer than TIMED_ONCE is timed again. */
+enum { TIMED_ONCE = 2 };
+
+static bool run_once(const way *as, work *w, unsigned limit, double *seconds)
 {
-    if (w->bits && !(way->needs & NEEDS_SURFACE))
+    if (w->bits && !(as->needs & NEEDS_SURFACE))
         memset(w->bits, 0, w->words * sizeof *w->bits);
-    const double begin = cpu_seconds();
-    const bool is = way->run(w);
-    *seconds = cpu_seconds() - begin;
+    alarm(as->needs & IS_ROUNDED ? limit : 0);
+    const double begin = as->needs & HAS_THREADS ? clock_seconds() : cpu_seconds();
+    const bool is = as->run(w);
+    *seconds = (as->needs & HAS_THREADS ? clock_seconds() : cpu_seconds()) - begin;
+    alarm(0);
     return is;
 }
 
 /* Never frees: the process ends. */
-static bool find(const struct way *way, work *w, found *f)
+static bool find(const way *as, work *w, unsigned limit, found *f)
 {
     const double before = megabytes_of("VmRSS");
-    const bool is_first = make(way, w);
-    const double begin = cpu_seconds();
-    if (!is_first || !way->run(w))
+    w->options.accuracy = as->needs & IS_FAST ? TRIBOX_FAST : as->needs & IS_CONSERVATIVE ? TRIBOX_CONSERVATIVE : TRIBOX_EXACT;
+    *f = (found){.warm = INFINITY};
+    if (!make(as, w) || !run_once(as, w, limit, &f->fresh))
         return false;
-    *f = (found){.fresh = cpu_seconds() - begin, .listing = w->listing, .cells = w->found, .bricks = w->bricks};
+    f->listing = w->listing;
+    f->cells = w->found;
+    f->bricks = w->bricks;
     f->megabytes = megabytes_of("VmHWM") - before;
-    f->sum = way->run == run_kept ? sum_kept(w) : way->run == run_window ? sum_dense(w) : 0;
-    f->warm = INFINITY;
-    for (int again = 0; again < WARM; again++) {
+    f->sum = as->run == run_kept ? sum_kept(w) : as->run == run_window && !w->truth ? sum_dense(w) : 0;
+    for (size_t k = 0; w->truth && w->bits && k < w->words; k++) {
+        f->missed += (uint64_t)__builtin_popcountll(w->truth[k] & ~w->bits[k]);
+        f->untrue += (uint64_t)__builtin_popcountll(w->bits[k] & ~w->truth[k]);
+    }
+    for (int again = 0; again < WARM && (!again || f->fresh < TIMED_ONCE); again++) {
         double seconds;
         w->last = NULL;
-        if (!run_once(way, w, &seconds))
+        if (!run_once(as, w, limit, &seconds))
             return false;
         f->warm = fmin(f->warm, seconds);
     }
     return true;
 }
 
-static bool find_apart(const struct way *way, const work *of, found *f)
+static bool find_apart(const way *as, const work *of, unsigned limit, found *f)
 {
     int ends[2], status = 0;
     if (pipe(ends))
@@ -355,32 +418,41 @@ static bool find_apart(const struct way *way, const work *of, found *f)
     if (child == 0) {
         work w = *of;
         found own;
-        const bool is_told = find(way, &w, &own) && write(ends[1], &own, sizeof own) == sizeof own;
+        const bool is_told = find(as, &w, limit, &own) && write(ends[1], &own, sizeof own) == sizeof own;
         _exit(is_told ? 0 : 1);
     }
     close(ends[1]);
     const bool is_read = child > 0 && read(ends[0], f, sizeof *f) == sizeof *f;
     close(ends[0]);
-    return child > 0 && waitpid(child, &status, 0) == child && is_read && status == 0;
+    if (child < 0 || waitpid(child, &status, 0) != child)
+        return false;
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+        *f = (found){.fresh = (double)NAN, .warm = (double)NAN, .megabytes = (double)NAN};
+    return (is_read && !status) || isnan(f->fresh);
 }
 
 /* ---- the table ------------------------------------------------------------------------------------------------------------- */
 
-static bool is_asked(const asked *q, size_t way, size_t all)
+static bool is_asked(const asked *q, const way *as, size_t all)
 {
     const char *const part = q->text[OPTION_FILTER];
-    return all >> ways[way].most == 0 && (!part || strstr(ways[way].name, part));
+    return all >> as->most == 0 && (!part || strstr(as->name, part));
 }
 
-/* Cells that are set are the same for all, and so are bricks. */
-static bool are_alike(const asked *q, size_t all, const found least[WAYS])
+/* Bits are true, or cells that are set are the same for all, and so are bricks. */
+static bool are_right(const asked *q, ways of, const work *w, const found least[WAYS_MOST])
 {
     uint64_t cells = 0, bricks = 0, sum = 0;
     bool is = true;
-    for (size_t k = 0; k < WAYS; k++) {
-        const bool is_inside = ways[k].needs & NEEDS_SOLID;
-        if (!is_asked(q, k, all))
+    for (size_t k = 0; k < of.count; k++) {
+        const unsigned needs = of.list[k].needs;
+        const bool is_inside = needs & NEEDS_SOLID;
+        if (!is_asked(q, &of.list[k], w->all))
             continue;
+        if (w->truth) {
+            is = is && (needs & IS_ROUNDED || (!least[k].missed && (needs & IS_CONSERVATIVE || !least[k].untrue)));
+            continue;
+        }
         is = is && (is_inside || !cells || !least[k].cells || cells == least[k].cells);
         is = is && (!sum || !least[k].sum || sum == least[k].sum);
         cells = !is_inside && least[k].cells ? least[k].cells : cells;
@@ -391,66 +463,148 @@ static bool are_alike(const asked *q, size_t all, const found least[WAYS])
     return is || message_failure("the ways differ") == EXIT_CODE_OK;
 }
 
-static void tell(printout *out, const char *name, uint32_t resolution, const struct way *way, const found *f, const found *window)
+static double or_nothing(double number, bool is_there) { return is_there ? number : (double)NAN; }
+
+static void tell(printout *out, const char *name, uint32_t resolution, const work *w, const way *as, const found *f,
+                 const found *first)
 {
-    ROW(out, TEXT("way", way->name), TEXT_DATA("mesh", name), DATA("cells_along", resolution), NUMBER("ms", 2, 1e3 * f->warm),
-        NUMBER("ms_in_new_memory", 2, 1e3 * f->fresh),
-        NUMBER("times_window's_ms", 2, window ? f->warm / window->warm : (double)NAN),
-        NUMBER("ms_to_list_by_tile", 2, f->listing > 0 ? 1e3 * f->listing : (double)NAN),
-        NUMBER("cells", 0, f->cells ? (double)f->cells : (double)NAN), DATA("bricks", f->bricks ? (double)f->bricks : (double)NAN),
-        NUMBER("ns_a_cell", 2, f->cells ? 1e9 * f->fresh / (double)f->cells : (double)NAN), NUMBER("MB", 1, f->megabytes));
+    const double cells = (double)(w->truth ? first->cells : f->cells), triangles = (double)w->soup->count;
+    ROW(out, TEXT("way", as->name), TEXT_DATA("mesh", name), DATA("cells_along", resolution), DATA("triangles", triangles),
+        NUMBER("ms", 2, 1e3 * f->warm), NUMBER("ms_in_new_memory", 2, 1e3 * f->fresh),
+        NUMBER("times_the_first's_ms", 2, or_nothing(f->warm / first->warm, first->warm > 0)),
+        NUMBER("ms_to_list_by_tile", 2, or_nothing(1e3 * f->listing, f->listing > 0)),
+        NUMBER("cells", 0, or_nothing((double)f->cells, f->cells)), DATA("bricks", or_nothing((double)f->bricks, f->bricks)),
+        NUMBER("ns_a_triangle", 1, 1e9 * f->warm / triangles),
+        NUMBER("ns_a_cell", 2, or_nothing(1e9 * f->fresh / cells, cells > 0)),
+        NUMBER("cells_unlike", 0,
+               or_nothing((double)(f->missed + f->untrue), w->truth && as->needs & NEEDS_BITS && !isnan(f->warm))),
+        NUMBER("MB", 1, f->megabytes));
 }
 
-static bool ask_grid(asked *q, const scene *at, uint32_t resolution)
+/* The bits of the scalar kernel, if every kernel says the same. NULL, with a message, if not. */
+static uint64_t *find_truth(const work *w)
 {
+    uint64_t *const first = asked_allocate(w->words, sizeof *first), *const other = asked_allocate(w->words, sizeof *other);
+    const char *kernel;
+    bool is = !tribox_voxelize(w->soup, &w->grid, NULL, &(tribox_options){.kernel = "scalar"}, first, NULL);
+    for (size_t k = 0; is && (kernel = tribox_kernel_list(k)) != NULL; k++) {
+        memset(other, 0, w->words * sizeof *other);
+        is = !tribox_voxelize(w->soup, &w->grid, NULL, &(tribox_options){.kernel = kernel}, other, NULL) &&
+             !memcmp(first, other, w->words * sizeof *other);
+    }
+    return is || message_failure("the kernels differ; nothing is timed") == EXIT_CODE_OK ? first : NULL;
+}
+
+/* Logarithms of the ratios to the first way, over scenes, for each number of cells. */
+static double logarithm[ASKED_CELLS][WAYS_MOST];
+
+static bool ask_grid(asked *q, const scene *at, ways of, bool has_truth, size_t n)
+{
+    const uint32_t along = q->cells[n];
     const uint64_t rounds = asked_number(q, OPTION_ROUNDS, asked_has(q, OPTION_QUICK) ? 1 : 5);
-    work w = {.soup = &at->work.jobs[0].soup, .grid = scene_grid(at, resolution), .options = {.kernel = q->kernel}};
-    found least[WAYS] = {{0}}, f;
+    const unsigned limit = (unsigned)asked_number(q, OPTION_LIMIT, 5);
+    const timing_job *const job = at->work.jobs;
+    work w = {.soup = &job->soup, .triangles = job->triangles, .grid = scene_grid(at, along), .options = {.kernel = q->kernel}};
+    found least[WAYS_MOST] = {{0}}, f;
     w.tile = (uint32_t)q->number[OPTION_TILE];
     w.all = (size_t)w.grid.size[0] * w.grid.size[1] * w.grid.size[2];
     w.words = tribox_window_words(w.grid.size);
+    if (has_truth && (w.truth = find_truth(&w)) == NULL)
+        return false;
     for (uint64_t round = 0; round < rounds; round++)
-        for (size_t k = 0; k < WAYS; k++) {
-            if (!is_asked(q, k, w.all))
+        for (size_t k = 0; k < of.count; k++) {
+            if (!is_asked(q, &of.list[k], w.all) || (round && !(least[k].fresh < TIMED_ONCE)))
                 continue;
-            if (!find_apart(&ways[k], &w, &f))
-                return message_failure("%s in %u cells, %s: no answer; is there memory for it?", at->name, (unsigned)resolution,
-                                       ways[k].name) == EXIT_CODE_OK;
+            if (!find_apart(&of.list[k], &w, limit, &f))
+                return message_failure("%s in %u cells, %s: no answer; is there memory for it?", at->name, (unsigned)along,
+                                       of.list[k].name) == EXIT_CODE_OK;
             f.fresh = round ? fmin(f.fresh, least[k].fresh) : f.fresh;
             f.warm = round ? fmin(f.warm, least[k].warm) : f.warm;
             f.listing = round ? fmin(f.listing, least[k].listing) : f.listing;
             least[k] = f;
         }
-    if (!are_alike(q, w.all, least))
+    if (!are_right(q, of, &w, least))
         return false;
     printout_table(&q->out, "%s, %zu triangles, in %u x %u x %u cells; CPU time", at->name, w.soup->count, w.grid.size[0],
                    w.grid.size[1], w.grid.size[2]);
-    for (size_t k = 0; k < WAYS; k++)
-        if (is_asked(q, k, w.all))
-            tell(&q->out, at->name, resolution, &ways[k], &least[k], is_asked(q, 0, w.all) ? &least[0] : NULL);
+    for (size_t k = 0; k < of.count; k++) {
+        if (is_asked(q, &of.list[k], w.all))
+            tell(&q->out, at->name, along, &w, &of.list[k], &least[k], &least[0]);
+        logarithm[n][k] += log(least[k].warm / least[0].warm);
+    }
     return true;
 }
 
-static bool ask_scene(asked *q, scene *at, size_t number)
+static bool ask_scene(asked *q, const scene *at, ways of, bool has_truth)
 {
     bool is_right = true;
-    (void)number;
-    for (size_t n = 0; is_right && n < q->cell_counts; n++)
-        is_right = ask_grid(q, at, q->cells[n]);
+    for (size_t n = 0; is_right && n < q->cell_counts; n++) {
+        void *const mark = asked_mark();
+        is_right = ask_grid(q, at, of, has_truth, n);
+        asked_release(mark);
+    }
     return is_right;
 }
 
-static bool answer(asked *q)
+static size_t scenes;
+
+static bool ask_bits(asked *q, scene *at, size_t number)
 {
-    asked_cells(q, asked_has(q, OPTION_QUICK) ? (const uint32_t[]){64, 128, 128} : (const uint32_t[]){64, 256, 1024},
-                asked_has(q, OPTION_QUICK) ? 2 : 3);
-    return scenes_ask(q, 0, 0, ask_scene);
+    scenes = number + 1;
+    return ask_scene(q, at, to_bits, true);
 }
 
+static bool ask_answers(asked *q, scene *at, size_t number)
+{
+    scenes = number + 1;
+    return ask_scene(q, at, to_answers, false);
+}
+
+static void tell_means(asked *q, ways of)
+{
+    char cells[ASKED_CELLS][16];
+    printout_table(&q->out, "geometric means over %zu scenes, times %s, by cells", scenes, of.list[0].name);
+    for (size_t k = 1; k < of.count; k++) {
+        ADD(&q->out, TEXT("way", of.list[k].name));
+        for (size_t n = 0; n < q->cell_counts; n++) {
+            snprintf(cells[n], sizeof cells[n], "%u", q->cells[n]);
+            ADD(&q->out, NUMBER(cells[n], 3, exp(logarithm[n][k] / (double)scenes)));
+        }
+        printout_row(&q->out);
+    }
+}
+
+static bool answer_voxels(asked *q)
+{
+    const bool is_quick = asked_has(q, OPTION_QUICK);
+    asked_cells(q, is_quick ? (const uint32_t[]){128, 128} : (const uint32_t[]){256, 1024}, is_quick ? 1 : 2);
+    const bool is_right = scenes_ask(q, SCENES_MADE, 0, ask_bits);
+    if (is_right)
+        tell_means(q, to_bits);
+    return is_right;
+}
+
+static bool answer_grids(asked *q)
+{
+    const bool is_quick = asked_has(q, OPTION_QUICK);
+    asked_cells(q, is_quick ? (const uint32_t[]){64, 128, 128} : (const uint32_t[]){64, 256, 1024}, is_quick ? 2 : 3);
+    const bool is_right = scenes_ask(q, 0, 0, ask_answers);
+    if (is_right)
+        tell_means(q, to_answers);
+    return is_right;
+}
+
+const bench_question question_voxels = {
+    .name = "voxels",
+    .asks = "How fast are soups voxelized, beside the paper's test for each cell, Schwarz and Seidel 2010, and reading them?",
+    .options = 1u << OPTION_CELLS | 1u << OPTION_KERNEL | 1u << OPTION_FILTER | 1u << OPTION_LIMIT | 1u << OPTION_NO_SCENES |
+               1u << OPTION_QUICK,
+    .takes_meshes = true,
+    .answer = answer_voxels};
 const bench_question question_grids = {.name = "grids",
                                        .asks = "What do bits, cells, ids, lists, bricks and filling cost, in time and memory?",
                                        .options = 1u << OPTION_CELLS | 1u << OPTION_TILE | 1u << OPTION_KERNEL |
                                                   1u << OPTION_FILTER | 1u << OPTION_QUICK,
                                        .takes_meshes = true,
                                        .needs_meshes = true,
-                                       .answer = answer};
+                                       .answer = answer_grids};

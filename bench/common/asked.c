@@ -33,7 +33,7 @@ static const struct {
     [OPTION_VERIFY] = {"verify", NULL, "compares answers, and times nothing", 0, 0},
     [OPTION_CELLS] = {"cells", "N,...", "cells along the longest side", 2, 1 << 20},
     [OPTION_TILE] = {"tile", "N", "cells of a tile along an axis, a multiple of 8", 8, 1024},
-    [OPTION_LIMIT] = {"limit", "SECONDS", "a rival that takes longer gets fewer triangles", 1, 3600},
+    [OPTION_LIMIT] = {"limit", "SECONDS", "a rival that takes longer is ended", 1, 3600},
     [OPTION_OCTREE] = {"octree", "DEPTH", "the leaves of an octree over a mesh", 1, 10},
     [OPTION_GRID] = {"grid", "N", "cells of a grid over a mesh, N along its longest side", 1, 4096},
     [OPTION_BOXES] = {"boxes", "N", "boxes", 1, 100000},

@@ -33,23 +33,4 @@ voxel_rival voxelize_cell_by_cell;
  */
 voxel_rival voxelize_schwarz_seidel;
 
-/*
- * No voxelization can do without writing its answer. Of each triangle in turn the words of the grid that its own
- * cells lie in, and their bits.
- */
-typedef struct voxel_words {
-    size_t count, room;
-    uint32_t *word;
-    uint64_t *bits;
-} voxel_words;
-
-/* `blank` has tribox_window_words words, zero before and after. False if memory runs out or the library refuses. */
-bool voxel_words_find(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options, uint64_t *blank,
-                      voxel_words *found);
-
-/* Returns how many cells are newly set. */
-size_t voxel_words_write(const voxel_words *words, uint64_t *occupied);
-
-void voxel_words_free(voxel_words *words);
-
 #endif

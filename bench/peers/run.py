@@ -91,11 +91,11 @@ def voxels(build, path, cells):
     command = [os.path.join(build, "bench", "tribox-bench"), "voxels", "--no-scenes", "--json", "--limit", "1", "--rounds", "5",
                "--cells", ",".join(map(str, cells)), path]
     for table, n in zip(json.loads(subprocess.check_output(command))["tables"], cells):
-        rows = {row["contestant"]: row for row in table["rows"]}
-        ours, theirs = (rows[name]["ns_a_triangle"] * rows[name]["triangles"] / 1e9 for name in ("exact", "Schwarz-Seidel"))
-        yield {"peer": "Schwarz and Seidel 2010, in float", "question": "surface", "cells": n, "way": "bench/voxels",
-               "ours": [ours] * 2, "theirs": [theirs] * 2, "of": rows["exact"]["set"],
-               "unlike": rows["Schwarz-Seidel"]["cells_unlike"] or 0}
+        ours, theirs = (next(row for row in table["rows"] if row["way"] == name) for name in ("exact", "Schwarz-Seidel"))
+        row = {"peer": "Schwarz and Seidel 2010, in float", "question": "surface", "cells": n, "way": "bench/voxels",
+               "ours": [ours["ms"] / 1e3] * 2}
+        yield {**row, "theirs": [theirs["ms"] / 1e3] * 2, "of": ours["cells"], "unlike": theirs["cells_unlike"]} \
+            if theirs["ms"] else {**row, "theirs": [1] * 2, "is_over": True}
 
 
 def trees(build, path, _):
