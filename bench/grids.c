@@ -563,6 +563,8 @@ static bool ask_answers(asked *q, scene *at, size_t number)
 static void tell_means(asked *q, ways of)
 {
     char cells[ASKED_CELLS][16];
+    if (q->text[OPTION_FILTER])
+        return;
     printout_table(&q->out, "geometric means over %zu scenes, times %s, by cells", scenes, of.list[0].name);
     for (size_t k = 1; k < of.count; k++) {
         ADD(&q->out, TEXT("way", of.list[k].name));
