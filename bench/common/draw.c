@@ -1,25 +1,22 @@
-/* draw.c - triangles about a box, and their order in space. */
+/* draw.c - triangles about a box. */
 #include "draw.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The paper, section 3: three independent vertices. */
 void draw_paper(generator *g, triangle t)
 {
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = random_between(g, -2, 2);
+    for (int n = 0; n < 9; n++)
+        t[n / 3][n % 3] = random_between(g, -2, 2);
 }
 
 /* The same a million units away, where floats are 1/16 apart. */
 void draw_offset(generator *g, triangle t)
 {
     draw_paper(g, t);
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] += 1e6f;
+    for (int n = 0; n < 9; n++)
+        t[n / 3][n % 3] += 1e6f;
 }
 
 /* Small triangles all over a cube of 16 x 16 x 16 boxes: nearly all miss on a box normal. */
@@ -34,25 +31,22 @@ void draw_sparse(generator *g, triangle t)
 
 void draw_inside(generator *g, triangle t)
 {
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = random_between(g, -0.5f, 0.5f);
+    for (int n = 0; n < 9; n++)
+        t[n / 3][n % 3] = random_between(g, -0.5f, 0.5f);
 }
 
 /* Quarters in [-2, 2]: faces, edges and corners of the box are lattice points, so contact is common and bounds cannot decide it. */
 void draw_lattice(generator *g, triangle t)
 {
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = (float)random_below(g, 17) * 0.25f - 2;
+    for (int n = 0; n < 9; n++)
+        t[n / 3][n % 3] = (float)random_below(g, 17) * 0.25f - 2;
 }
 
 /* Tenths, which floats only approximate: a centre and half size formed from such bounds are rounded, and contact may be lost. */
 void draw_tenths(generator *g, triangle t)
 {
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = (float)random_below(g, 26) / 10;
+    for (int n = 0; n < 9; n++)
+        t[n / 3][n % 3] = (float)random_below(g, 26) / 10;
 }
 
 /*
@@ -87,9 +81,8 @@ void draw_cad(generator *g, triangle t)
 {
     int steps[3][3];
     draw_half_face(g, steps);
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = (float)steps[j][a] / 4;
+    for (int n = 0; n < 9; n++)
+        t[n / 3][n % 3] = (float)steps[n / 3][n % 3] / 4;
 }
 
 /* Steps of 1/10: the same, of rounded numbers. */
@@ -97,9 +90,8 @@ void draw_cad_tenths(generator *g, triangle t)
 {
     int steps[3][3];
     draw_half_face(g, steps);
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = (float)steps[j][a] / 10;
+    for (int n = 0; n < 9; n++)
+        t[n / 3][n % 3] = (float)steps[n / 3][n % 3] / 10;
 }
 
 /* ---- touching the box -------------------------------------------------------------------------------------------------------- */
@@ -260,46 +252,4 @@ void draw_thin(generator *g, triangle t)
         memcpy(t[2], t[0], sizeof t[2]);
     else
         put_off_edge(g, t, along, kind == 1 ? 0 : ldexp(1, -power));
-}
-
-/* ---- order ----------------------------------------------------------------------------------------------------------------- */
-
-typedef struct keyed {
-    uint64_t key;
-    triangle t;
-} keyed;
-
-static int by_key(const void *a, const void *b)
-{
-    const uint64_t p = ((const keyed *)a)->key, q = ((const keyed *)b)->key;
-    return (p > q) - (p < q);
-}
-
-/* The bits of the centroid's cell on the three axes, interleaved: x lowest. */
-static uint64_t morton_code(const float t[3][3], float reach)
-{
-    uint64_t code = 0;
-    for (int a = 0; a < 3; a++) {
-        const float middle = (t[0][a] + t[1][a] + t[2][a]) / 3;
-        const unsigned cell = (unsigned)((middle / reach + 1) * 511.5f);
-        for (int bit = 0; bit < 10; bit++)
-            code |= (uint64_t)(cell >> bit & 1) << (3 * bit + a);
-    }
-    return code;
-}
-
-bool place_sort(triangle *triangles, size_t count, float reach)
-{
-    keyed *const order = malloc(count * sizeof *order);
-    if (!order)
-        return false;
-    for (size_t i = 0; i < count; i++) {
-        memcpy(order[i].t, triangles[i], sizeof(triangle));
-        order[i].key = morton_code((const float(*)[3])triangles[i], reach);
-    }
-    qsort(order, count, sizeof *order, by_key);
-    for (size_t i = 0; i < count; i++)
-        memcpy(triangles[i], order[i].t, sizeof(triangle));
-    free(order);
-    return true;
 }

@@ -21,10 +21,4 @@ draw_triangle draw_touching, draw_touching_ulp, draw_needle, draw_cap;
 /* Through the box and past it. */
 draw_triangle draw_thin;
 
-/*
- * Sorts triangles by the place of their centroids, as a spatial tree would leave them: in Morton order of 1024^3
- * cells of the cube [-reach, reach]^3, in which they lie. False if memory fails.
- */
-bool place_sort(triangle *triangles, size_t count, float reach);
-
 #endif
