@@ -3,218 +3,172 @@
  * with the paper's test?
  *
  * A pass makes many calls, each about other pairs, so that no processor learns them by heart. All counts of pairs are timed in the
- * same rounds: a count that fills no packet is compared with the next one that does, and 0 is what lies around a walk.
+ * same rounds; 0 is what lies around a walk.
  */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/asked.h"
 #include "common/soups.h"
 #include "console/accuracy.h"
 #include "paper/paper.h"
-#include "common/asked.h"
 
-/* The last counts are there because they are full packets, after 100 and 1000, of 8 or of 16 lanes. */
-enum { COUNTS = 16, COUNTS_SHOWN = 13, PAIRS = 4096, CALLS_MOST = 1024, KERNELS_MOST = 5 };
-static const size_t counts[COUNTS] = {0, 1, 2, 4, 8, 12, 16, 31, 32, 63, 64, 100, 1000, 104, 112, 1008};
+enum { COUNTS = 13, PAIRS = 4096, CALLS_MOST = 1024, KERNELS_MOST = 5 };
+static const size_t counts[COUNTS] = {0, 1, 2, 4, 8, 12, 16, 31, 32, 63, 64, 100, 1000};
 
-/* One triangle and its boxes, as tribox and as the paper's test want them. */
-typedef struct box_job {
-    float triangle[1][3][3];
-    tribox_boxes boxes;
-    const float (*placed)[2][3]; /* the same boxes: the centre and half the size of each */
-} box_job;
+/* The triangles of a scene, and as many boxes about them, as tribox and as the paper's test want them. */
+static scene paper;
+static float bounds[6][PAIRS], placed[PAIRS][2][3];
 
-typedef struct box_work {
-    box_job jobs[CALLS_MOST];
-    size_t count, words;
-} box_work;
-
-/* The triangles of a scene, and as many boxes about them. */
-typedef struct pairs {
-    scene at;
-    float *bounds; /* six streams */
-    float (*placed)[2][3];
-} pairs;
-
-static size_t calls_of(size_t count) { return count * CALLS_MOST < PAIRS ? CALLS_MOST : PAIRS / count; }
-
-static void make_pairs(pairs *p)
+static bool make_pairs(void)
 {
     size_t index;
-    if (!scene_find("paper", &index) || !scene_make(index, 1, &p->at))
-        exit(EXIT_CODE_FAILURE);
-    p->bounds = asked_allocate(6 * PAIRS, sizeof(float));
-    p->placed = asked_allocate(PAIRS, sizeof *p->placed);
-    for (size_t i = 0; i < PAIRS; i++)
-        for (size_t a = 0; a < 3; a++) {
-            const float center = p->at.work.triangles[PAIRS + i][0][a] / 2, half = 0.5f;
-            p->placed[i][0][a] = center;
-            p->placed[i][1][a] = half;
-            p->bounds[a * PAIRS + i] = center - half;
-            p->bounds[(3 + a) * PAIRS + i] = center + half;
-        }
-}
-
-/* Calls of `count` triangles each: slices of the scene, at any alignment. */
-static void make_triangles(const pairs *p, size_t count, timing_work *work)
-{
-    const timing_job *const all = &p->at.work.jobs[0];
-    if (!timing_work_make(work, calls_of(count), timing_work_room(PAIRS)))
-        exit(message_failure("out of memory"));
-    const timing_job copy = timing_work_copy(work, &all->soup, NULL, PAIRS);
-    for (size_t call = 0, at = 0; call < calls_of(count); call++, at += count) {
-        timing_job job = {.soup = {.count = count}, .triangles = copy.triangles + at};
-        for (int v = 0; v < 3; v++) {
-            job.soup.x[v] = copy.soup.x[v] + at;
-            job.soup.y[v] = copy.soup.y[v] + at;
-            job.soup.z[v] = copy.soup.z[v] + at;
-        }
-        timing_work_add(work, &job, &all->box);
+    if (!scene_find("paper", &index) || !scene_make(index, 1, &paper))
+        return false;
+    for (size_t i = 0; i < 3 * PAIRS; i++) {
+        const float center = paper.work.triangles[PAIRS + i / 3][0][i % 3] / 2, half = 0.5f;
+        placed[i / 3][0][i % 3] = center;
+        placed[i / 3][1][i % 3] = half;
+        bounds[i % 3][i / 3] = center - half;
+        bounds[3 + i % 3][i / 3] = center + half;
     }
+    return true;
 }
 
-static void make_boxes(const pairs *p, size_t count, box_work *work)
+/* What a call is about: triangles in both forms and a box, or boxes and a triangle. Slices of the pairs, at any alignment. */
+typedef struct slice {
+    const timing_job *all;
+    const float (*triangles)[3][3], (*one)[3][3];
+    const float (*placed)[2][3];
+    tribox_soup soup;
+    tribox_mesh mesh;
+    tribox_boxes boxes;
+} slice;
+
+static slice slice_of(size_t call, size_t count)
 {
-    work->count = calls_of(count);
-    work->words = work->count * tribox_mask_words(count);
-    for (size_t call = 0, at = 0; call < work->count; call++, at += count) {
-        box_job *const job = &work->jobs[call];
-        memcpy(job->triangle[0], p->at.work.triangles[call], sizeof job->triangle[0]);
-        job->placed = (const float(*)[2][3])(p->placed + at);
-        job->boxes.count = count;
-        for (size_t a = 0; a < 3; a++) {
-            job->boxes.lo[a] = p->bounds + a * PAIRS + at;
-            job->boxes.hi[a] = p->bounds + (3 + a) * PAIRS + at;
-        }
+    const timing_job *const all = paper.work.jobs;
+    const size_t at = call * count;
+    slice made = {.all = all, .triangles = all->triangles + at, .one = all->triangles + call, .soup.count = count};
+    made.placed = (const float(*)[2][3])(placed + at);
+    made.mesh = (tribox_mesh){.positions = made.triangles, .vertices = 3 * count, .count = count};
+    made.boxes.count = count;
+    for (int k = 0; k < 3; k++) {
+        made.soup.x[k] = all->soup.x[k] + at;
+        made.soup.y[k] = all->soup.y[k] + at;
+        made.soup.z[k] = all->soup.z[k] + at;
+        made.boxes.lo[k] = bounds[k] + at;
+        made.boxes.hi[k] = bounds[3 + k] + at;
     }
+    return made;
 }
 
-CONTESTANT_RUN(run_paper_boxes)
+/* The calls of a pass. */
+typedef struct calls_about {
+    slice call[CALLS_MOST];
+    size_t count, words; /* words: of each */
+} calls_about;
+
+static bool paper_triangles(const slice *a, uint64_t *mask)
 {
-    const box_work *const work = self->question;
+    paper_in_order(PAPER_ORDER)(a->all->center, a->all->half, a->triangles, a->soup.count, mask);
+    return false;
+}
+
+static bool paper_boxes(const slice *a, uint64_t *mask)
+{
     paper_walk *const walk = paper_in_order(PAPER_ORDER);
-    for (size_t call = 0; call < work->count; call++) {
-        const box_job *const job = &work->jobs[call];
-        uint64_t word = 0, bit;
-        for (size_t i = 0; i < job->boxes.count; i++) {
-            walk(job->placed[i][0], job->placed[i][1], (const float(*)[3][3])job->triangle, 1, &bit);
-            word |= bit << i % 64;
-            if (i % 64 == 63 || i + 1 == job->boxes.count) {
-                *mask++ = word;
-                word = 0;
-            }
+    uint64_t word = 0, bit;
+    for (size_t i = 0; i < a->boxes.count; i++) {
+        walk(a->placed[i][0], a->placed[i][1], a->one, 1, &bit);
+        word |= bit << i % 64;
+        if (i % 64 == 63 || i + 1 == a->boxes.count) {
+            *mask++ = word;
+            word = 0;
         }
     }
-    return true;
+    return false;
 }
 
-static bool answer_boxes(const box_work *work, const tribox_options *options, uint64_t *mask)
-{
-    for (size_t call = 0; call < work->count; call++) {
-        const box_job *const job = &work->jobs[call];
-        if (tribox_overlap_boxes((const float *)job->triangle[0], &job->boxes, options, mask, NULL))
-            return false;
-        mask += tribox_mask_words(job->boxes.count);
+#define RUN_EACH(name, refuses) \
+    CONTESTANT_RUN(name) \
+    { \
+        const calls_about *const all = self->question; \
+        const tribox_options *const how = &self->options; \
+        bool is_right = true; \
+        (void)how; \
+        for (const slice *a = all->call; a < all->call + all->count; a++, mask += all->words) \
+            is_right = is_right && !(refuses); \
+        return is_right; \
     }
-    return true;
-}
+RUN_EACH(run_paper_triangles, paper_triangles(a, mask))
+RUN_EACH(run_paper_boxes, paper_boxes(a, mask))
+RUN_EACH(run_triangles, tribox_overlap(&a->soup, &a->all->box, how, mask, NULL))
+RUN_EACH(run_boxes, tribox_overlap_boxes((const float *)a->one, &a->boxes, how, mask, NULL))
+RUN_EACH(run_meshes, tribox_mesh_overlap(&a->mesh, &a->all->box, how, mask, NULL))
 
-CONTESTANT_RUN(run_boxes) { return answer_boxes(self->question, &self->options, mask); }
+static const struct shape {
+    const char *name;
+    contestant_run *paper, *run;
+} shapes[] = {{"triangles", run_paper_triangles, run_triangles},
+              {"boxes", run_paper_boxes, run_boxes},
+              {"meshes", run_paper_triangles, run_meshes}};
 
-/* The same triangles as a mesh of nine floats each. */
-CONTESTANT_RUN(run_meshes)
+static bool find_truth(const void *scalar, unsigned axes, uint64_t *mask)
 {
-    const timing_work *const work = self->question;
-    bool is_right = true;
-    for (size_t call = 0; call < work->count; mask += tribox_mask_words(work->jobs[call++].soup.count)) {
-        const timing_job *const job = &work->jobs[call];
-        const tribox_mesh mesh = {.positions = job->triangles, .vertices = 3 * job->soup.count, .count = job->soup.count};
-        is_right = is_right && !tribox_mesh_overlap(&mesh, &job->box, &self->options, mask, NULL);
-    }
-    return is_right;
-}
-
-static bool find_truth_of_boxes(const void *question, unsigned axes, uint64_t *mask)
-{
-    return answer_boxes(question, &(tribox_options){.axes = axes, .kernel = "scalar"}, mask);
+    contestant one = *(const contestant *)scalar;
+    one.options = (tribox_options){.axes = axes, .kernel = "scalar"};
+    return one.run(&one, mask, NULL);
 }
 
 /* The paper's test, then each kernel, the widest first; times are those of a call. Returns how many there are. */
-static size_t enter(const char *what, const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy,
-                    contestant *list)
+static size_t enter(const struct shape *of, const calls_about *all, tribox_accuracy accuracy, contestant *list)
 {
     const char *kernel;
     size_t count = 1;
-    list[0] = contestant_paper(triangles, PAPER_ORDER);
+    list[0] = contestant_paper(&paper.work, PAPER_ORDER);
     for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
-        list[count++] = contestant_kernel(triangles, &(tribox_options){.accuracy = accuracy, .kernel = kernel});
+        list[count++] = contestant_kernel(&paper.work, &(tribox_options){.accuracy = accuracy, .kernel = kernel});
     for (size_t c = 0; c < count; c++) {
-        list[c].pairs = (double)triangles->count;
-        if (c && !strcmp(what, "meshes"))
-            list[c].run = run_meshes;
-        if (boxes) {
-            list[c].question = boxes;
-            list[c].run = c ? run_boxes : run_paper_boxes;
-        }
+        list[c].question = all;
+        list[c].run = c ? of->run : of->paper;
+        list[c].pairs = (double)all->count;
     }
     return count;
-}
-
-/* The place in `counts` of the least one that fills the packets of a kernel of this many lanes, and is not less than counts[n]. */
-static size_t next_full(size_t n, size_t lanes)
-{
-    size_t best = n;
-    const size_t full = (counts[n] + lanes - 1) / lanes * lanes;
-    for (size_t m = 0; m < COUNTS; m++)
-        if (counts[m] == full)
-            best = m;
-    return best;
-}
-
-/* By the kernel's name: the public header does not say. */
-static size_t lanes_of(const char *kernel)
-{
-    return !strcmp(kernel, "avx512") ? 16 : !strcmp(kernel, "avx2") ? 8 : !strcmp(kernel, "scalar") ? 1 : 4;
 }
 
 /* Times of contestant c about counts[n] are at n * of_each + c. */
 static void tell(asked *q, const contestant *list, size_t of_each, size_t n)
 {
-    const double paper = measure_least(&q->taken, n * of_each);
-    char full[KERNELS_MOST + 1][24], times[KERNELS_MOST + 1][24];
-    ADD(&q->out, NUMBER("count", 0, (double)counts[n]), NUMBER("paper", 1, paper));
+    const double by_paper = measure_least(&q->taken, n * of_each);
+    char times[KERNELS_MOST + 1][24];
+    ADD(&q->out, NUMBER("count", 0, (double)counts[n]), NUMBER("paper", 1, by_paper));
     for (size_t c = 1; c < of_each; c++) {
         const char *const kernel = list[c].options.kernel;
         const double least = measure_least(&q->taken, n * of_each + c);
-        snprintf(full[c], sizeof full[c], "%s_full", kernel);
         snprintf(times[c], sizeof times[c], "%s_speed", kernel);
-        ADD(&q->out, NUMBER(kernel, 1, least),
-            NUMBER(full[c], 2, least / measure_least(&q->taken, next_full(n, lanes_of(kernel)) * of_each + c)),
-            NUMBER(times[c], 2, paper / least));
+        ADD(&q->out, NUMBER(kernel, 1, least), NUMBER(times[c], 2, by_paper / least));
     }
     printout_row(&q->out);
 }
 
 /* Everyone about each count answers for himself; then all are timed together. */
-static bool run_shape(asked *q, const char *what, const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy)
+static bool run_shape(asked *q, const struct shape *of, const calls_about all[COUNTS], tribox_accuracy accuracy)
 {
     contestant list[CONTESTANTS_MAX];
     size_t of_each = 0, words = 0;
     for (size_t n = 0; n < COUNTS; n++) {
-        const box_work *const about = boxes ? &boxes[n] : NULL;
-        const size_t own_words = about ? about->words : triangles[n].words;
-        const truth from = about ? (truth){find_truth_of_boxes, about, own_words} : truth_of_work(&triangles[n]);
-        of_each = enter(what, &triangles[n], about, accuracy, list + n * of_each);
-        words = own_words > words ? own_words : words;
-        if (!asked_verify(q, what, list + n * of_each, of_each, &from))
+        contestant *const own = list + n * of_each;
+        of_each = enter(of, &all[n], accuracy, own);
+        const truth from = {find_truth, &own[1], all[n].count * all[n].words};
+        words = from.words > words ? from.words : words;
+        if (!asked_verify(q, of->name, own, of_each, &from))
             return false;
     }
-    asked_measure(q, what, list, COUNTS * of_each, NULL, asked_effort(q, 31, 1e9, 5e-4), words);
-    printout_table(&q->out,
-                   "%s, %s: ns a call by kernel, times the next count of full packets, times the paper's speed; least times", what,
-                   accuracy_word(accuracy));
-    for (size_t n = 0; n < COUNTS_SHOWN; n++)
+    asked_measure(q, of->name, list, COUNTS * of_each, NULL, asked_effort(q, 31, 1e9, 5e-4), words);
+    printout_table(&q->out, "%s, %s: ns a call by kernel, times the paper's speed; least times", of->name, accuracy_word(accuracy));
+    for (size_t n = 0; n < COUNTS; n++)
         tell(q, list, of_each, n);
     printout_disturbed(&q->out, &q->taken);
     return true;
@@ -343,9 +297,9 @@ static const struct {
     contestant_run *run;
 } calls[] = {CALLS(ROW_OF, ROW_OF, ROW_OF)};
 
-static void make_few(const pairs *p, size_t count, few *f)
+static void make_few(size_t count, few *f)
 {
-    const timing_job *const from = p->at.work.jobs;
+    const timing_job *const from = paper.work.jobs;
     *f = (few){.soup = from->soup, .first = from->triangles[0][0], .box = from->box, .boxes.count = count};
     f->soup.count = count;
     f->mesh = (tribox_mesh){.positions = from->triangles, .vertices = 3 * count, .count = count};
@@ -354,8 +308,8 @@ static void make_few(const pairs *p, size_t count, few *f)
     f->scratch = asked_allocate(tribox_bricks_lists_bytes(TILE, MOST) + tribox_bricks_ids_bytes(TILE), 1);
     f->index = (tribox_index){.nodes = f->nodes, .soup = &f->soup};
     for (size_t a = 0; a < 3; a++) {
-        f->boxes.lo[a] = p->bounds + a * PAIRS;
-        f->boxes.hi[a] = p->bounds + (3 + a) * PAIRS;
+        f->boxes.lo[a] = bounds[a];
+        f->boxes.hi[a] = bounds[3 + a];
     }
     for (uint32_t n = 0; n < MOST; n++)
         f->children_of[n] = n;
@@ -363,14 +317,14 @@ static void make_few(const pairs *p, size_t count, few *f)
         f->to[n] = f->streams[n];
 }
 
-static bool run_calls(asked *q, const pairs *p)
+static bool run_calls(asked *q)
 {
     static few about[SIZES];
     static const size_t sizes[SIZES] = {1, 8, 64};
     contestant list[SIZES];
     bool is_right = true;
     for (size_t n = 0; n < SIZES; n++)
-        make_few(p, sizes[n], &about[n]);
+        make_few(sizes[n], &about[n]);
     printout_table(&q->out, "every call, exact: ns about the same 1, 8 and 64 triangles or boxes, a window or a tile of %d cells",
                    CELLS);
     for (size_t c = 0; is_right && c < sizeof calls / sizeof calls[0]; c++) {
@@ -389,24 +343,19 @@ static bool run_calls(asked *q, const pairs *p)
 
 static bool answer(asked *q)
 {
-    static const char *const shapes[] = {"triangles", "boxes", "meshes"};
     static const tribox_accuracy accuracies[] = {TRIBOX_EXACT, TRIBOX_FAST};
-    static timing_work triangles[COUNTS];
-    static box_work boxes[COUNTS];
-    static pairs p;
-    make_pairs(&p);
-    for (size_t n = 0; n < COUNTS; n++) {
-        make_triangles(&p, counts[n], &triangles[n]);
-        make_boxes(&p, counts[n], &boxes[n]);
+    static calls_about all[COUNTS];
+    bool is_right = make_pairs();
+    for (size_t n = 0; is_right && n < COUNTS; n++) {
+        all[n].count = counts[n] * CALLS_MOST < PAIRS ? CALLS_MOST : PAIRS / counts[n];
+        all[n].words = tribox_mask_words(counts[n]);
+        for (size_t call = 0; call < all[n].count; call++)
+            all[n].call[call] = slice_of(call, counts[n]);
     }
-    bool is_right = true;
-    for (int shape = 0; shape < 3; shape++)
-        for (int a = 0; a < 2; a++)
-            is_right = is_right && run_shape(q, shapes[shape], triangles, shape == 1 ? boxes : NULL, accuracies[a]);
-    is_right = is_right && run_calls(q, &p);
-    for (size_t n = 0; n < COUNTS; n++)
-        timing_work_free(&triangles[n]);
-    scene_free(&p.at);
+    for (size_t k = 0; is_right && k < 6; k++)
+        is_right = run_shape(q, &shapes[k / 2], all, accuracies[k % 2]);
+    is_right = is_right && run_calls(q);
+    scene_free(&paper);
     return is_right;
 }
 
