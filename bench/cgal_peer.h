@@ -18,17 +18,17 @@ typedef enum cgal_way { CGAL_EPICK_BBOX, CGAL_EPICK_CUBOID, CGAL_EPECK_BBOX, CGA
 
 typedef struct cgal_peer cgal_peer;
 
-/* NULL without CGAL. */
-const char *cgal_version(void);
+/* Without CGAL none of the functions is there, and this one NULL itself. */
+__attribute__((weak)) const char *cgal_version(void);
 
-/* Nine doubles a triangle, and a box, made into CGAL's own; NULL without CGAL. */
-cgal_peer *cgal_peer_make(cgal_way way, const double *nine, size_t count, const tribox_box *box);
-void cgal_peer_free(cgal_peer *peer);
+/* Nine doubles a triangle, and a box, made into CGAL's own. */
+__attribute__((weak)) cgal_peer *cgal_peer_make(cgal_way way, const double *nine, size_t count, const tribox_box *box);
+__attribute__((weak)) void cgal_peer_free(cgal_peer *peer);
 
-void cgal_peer_answer(const cgal_peer *peer, uint64_t *mask);
+__attribute__((weak)) void cgal_peer_answer(const cgal_peer *peer, uint64_t *mask);
 
 /* CGAL promises nothing of degenerate triangles. */
-bool cgal_peer_is_degenerate(const cgal_peer *peer, size_t i);
+__attribute__((weak)) bool cgal_peer_is_degenerate(const cgal_peer *peer, size_t i);
 
 #ifdef __cplusplus
 }

@@ -17,26 +17,6 @@
 #include "common/rivals.h"
 #include "common/soups.h"
 
-#ifndef HAVE_CGAL /* nobody stands for the peer */
-const char *cgal_version(void) { return NULL; }
-
-cgal_peer *cgal_peer_make(cgal_way way, const double *nine, size_t count, const tribox_box *box)
-{
-    (void)way, (void)nine, (void)count, (void)box;
-    return NULL;
-}
-
-void cgal_peer_free(cgal_peer *peer) { (void)peer; }
-
-void cgal_peer_answer(const cgal_peer *peer, uint64_t *mask) { (void)peer, (void)mask; }
-
-bool cgal_peer_is_degenerate(const cgal_peer *peer, size_t i)
-{
-    (void)peer, (void)i;
-    return true;
-}
-#endif
-
 /* ---- a scene in every form ------------------------------------------------------------------------------------------------- */
 
 /* Of floats, and of doubles. */
@@ -331,12 +311,17 @@ static size_t count_unlike(const cgal_peer *peer, const uint64_t *exact, uint64_
 static contestant peer_contestant(cgal_way way, const double *nine, size_t count, const tribox_box *box)
 {
     static const char *const names[CGAL_WAYS] = {"cgal-epick-bbox", "cgal-epick-cuboid", "cgal-epeck-bbox", "cgal-epeck-cuboid"};
-    contestant made = {.run = run_peer, .question = cgal_peer_make(way, nine, count, box), .pairs = (double)count};
+    contestant made = {
+        .run = run_peer, .question = cgal_version ? cgal_peer_make(way, nine, count, box) : NULL, .pairs = (double)count};
     snprintf(made.name, sizeof made.name, "%s", names[way]);
     return made;
 }
 
-static void free_peer(const contestant *peer) { cgal_peer_free((cgal_peer *)(uintptr_t)peer->question); }
+static void free_peer(const contestant *peer)
+{
+    if (peer->question)
+        cgal_peer_free((cgal_peer *)(uintptr_t)peer->question);
+}
 
 /* ---- inputs ---------------------------------------------------------------------------------------------------------------- */
 
@@ -558,7 +543,7 @@ static bool answer_cgal(asked *q)
                                          "touching-ulp", "offset", "needles", "caps"};
     const char *const only = q->text[OPTION_SCENE];
     bool is_right = true;
-    if (!cgal_version())
+    if (!cgal_version)
         return message_failure("built without CGAL (Debian: libcgal-dev)") == EXIT_CODE_OK;
     printout_note(&q->out, "CGAL       %s, in C++17 with -O3 and without its assertions", cgal_version());
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {
