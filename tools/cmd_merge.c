@@ -46,7 +46,7 @@ static int report(const merge_request *r, const voxels *v, size_t parts, uint64_
         printf("parts        %zu\n", parts);
         voxelize_print_grid(v, voxels_are_shifted(v));
         printf("occupied     %" PRIu64 " cells\nbricks       %" PRIu64 "\n", occupied, bricks);
-        voxelize_print_written(r->result.out_path, !r->result.format->has_place);
+        voxelize_print_written(r->result.out_path, !volume_holds(r->result.format, "place"));
         if (r->result.preview_path)
             voxelize_print_preview(r->result.preview_path, result_up(&r->result));
     }
@@ -113,7 +113,7 @@ static int take_words(merging *m)
     const tribox_grid *const grid = &m->cells.grid;
     const result_request *const result = &m->r->result;
     int code = EXIT_CODE_OK;
-    if (!result->format->bricks || result->preview_path)
+    if (!result->format->writer->bricks || result->preview_path)
         code = voxels_check_words(grid, fewer);
     if (code || !result->preview_path)
         return code;
@@ -161,9 +161,9 @@ static int check_ids(const merge_request *r, const part *parts)
         return EXIT_CODE_OK;
     if (r->result.options.is_mask)
         return message_failure("%s: has ids, a grid of whole numbers: leave out --vdb-grid", parts[0].path);
-    return volume_takes_ids(format) ? EXIT_CODE_OK
+    return volume_holds(format, "ids") ? EXIT_CODE_OK
                                     : message_failure("%s: has ids, and .%s holds none: write %s, or run the shards without --ids",
-                                                      parts[0].path, format->word, volume_endings(volume_takes_ids).text);
+                                                      parts[0].path, format->word, volume_endings("ids").text);
 }
 
 static int merge(const merge_request *r, part *parts, size_t count)
@@ -176,8 +176,8 @@ static int merge(const merge_request *r, part *parts, size_t count)
     for (size_t i = 0; i < count; i++)
         m.all += parts[i].bricks;
     code = check_ids(r, parts);
-    if (!code && r->result.format->check_grid)
-        code = r->result.format->check_grid(r->result.out_path, &m.cells.grid);
+    if (!code && r->result.format->writer->check_grid)
+        code = r->result.format->writer->check_grid(r->result.out_path, &m.cells.grid);
     if (!code)
         code = take_words(&m);
     if (!code) {

@@ -41,7 +41,6 @@ static const char help[] =
     "Examples ('man tribox' has the details):\n"
     "  tribox voxelize bunny.ply --resolution 256 -o bunny.npy --preview bunny.png --up y\n"
     "  tribox voxelize part.stl --cell 0.5 --fill outside --labels -o part.nrrd\n"
-    "  tribox voxelize big.ply --resolution 16384 -o big.npz\n"
     "  generate | tribox voxelize - --format f32 -r 64 -o - --out-format npy | consume\n";
 
 /* Behind those that merge has too. */
@@ -197,13 +196,13 @@ static int check_count(voxelize_request *r, const options_found *found)
 static int check_format(const voxelize_request *r)
 {
     const volume_format *const format = r->result.format;
-    if (r->cells == FILL_CELLS_LABELLED && !volume_takes_labels(format))
+    if (r->cells == FILL_CELLS_LABELLED && !volume_holds(format, "labels"))
         return message_usage("--labels: %s holds no labels; write %s, or give --inside-only", format->word,
-                             volume_words(volume_takes_labels).text);
-    if (r->has_colours && !volume_takes_colours(format))
-        return message_usage("--colours: .%s holds none; write %s", format->word, volume_endings(volume_takes_colours).text);
-    if (r->result.options.has_ids && !volume_takes_ids(format))
-        return message_usage("--ids: .%s holds none; write %s", format->word, volume_endings(volume_takes_ids).text);
+                             volume_words("labels").text);
+    if (r->has_colours && !volume_holds(format, "colours"))
+        return message_usage("--colours: .%s holds none; write %s", format->word, volume_endings("colours").text);
+    if (r->result.options.has_ids && !volume_holds(format, "ids"))
+        return message_usage("--ids: .%s holds none; write %s", format->word, volume_endings("ids").text);
     return EXIT_CODE_OK;
 }
 

@@ -62,6 +62,15 @@ int output_flush(void)
 
 int output_text(const char *text)
 {
-    fputs(text, stdout);
+    enum { WIDTH = 100, INDENT = 12 };
+    size_t column = 0;
+    for (const char *c = text; *c; c++) {
+        const bool is_full = *c == '\t' && column + 1 + strcspn(c + 1, "\t\n") > WIDTH;
+        if (is_full)
+            printf("\n%*s", INDENT, "");
+        else
+            putchar(*c == '\t' ? ' ' : *c);
+        column = is_full ? INDENT : *c == '\n' ? 0 : column + 1;
+    }
     return output_flush();
 }

@@ -20,7 +20,7 @@ void output_json_axes(json *j, unsigned axes);
 /* Writes out standard output. Returns EXIT_CODE_OK, or EXIT_CODE_FAILURE when anything printed so far was lost. */
 int output_flush(void);
 
-/* Prints a text, such as a help, and writes it out. */
+/* Prints a text, such as a help, and writes it out. A tab is a blank, or begins a line if what follows would make it too long. */
 int output_text(const char *text);
 
 #endif

@@ -31,7 +31,7 @@ enum {
     [RESULT_QUIET] = {"quiet", 'q', OPTION_SETS(request, result.is_quiet)}
 
 #define RESULT_HELP \
-    "  -o, --out FILE          - is standard output, and holds nothing else. By the ending of FILE:\n            " VOLUME_HELP \
+    "  -o, --out FILE          - is standard output. By the ending of FILE, with what it holds:" VOLUME_HELP \
     "      --out-format WORD   such an ending without its dot, or cells: for other names, and for -o -\n" \
     "      --deflate           compress the .npz, which takes longer\n" \
     "      --vdb-grid WORD     .vdb: bool (default), or mask: smaller, but not every program reads it\n" \

@@ -155,7 +155,7 @@ static int take_words(const tile_job *j, uint64_t **words)
     const result_request *const result = &j->r->result;
     int code = EXIT_CODE_OK;
     *words = NULL;
-    if (result->format && !result->format->bricks)
+    if (result->format && !result->format->writer->bricks)
         code = voxels_check_words(grid, instead_of_dense);
     if (code || !result->preview_path)
         return code;

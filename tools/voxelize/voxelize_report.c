@@ -122,7 +122,7 @@ static void print_summary(const voxelize_answer *a)
     printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&r->test), r->threads, r->threads == 1 ? "" : "s");
     print_time(a);
     if (r->result.out_path)
-        voxelize_print_written(r->result.out_path, !r->result.format->has_place);
+        voxelize_print_written(r->result.out_path, !volume_holds(r->result.format, "place"));
     if (r->result.preview_path)
         voxelize_print_preview(r->result.preview_path, result_up(&r->result));
 }

@@ -221,7 +221,7 @@ static int voxelize(whole *w, voxelize_answer *a)
 static int make_palette(whole *w)
 {
     cell_colours *const c = &w->colours;
-    if (!w->in->colours || w->r->result.format->colours != VOLUME_PALETTE)
+    if (!w->in->colours || !volume_holds(w->r->result.format, "of a palette"))
         return EXIT_CODE_OK;
     if (!palette_make(c->of, c->cells, &c->palette))
         return message_failure("%s: out of memory for its palette", w->r->result.out_path);
@@ -274,7 +274,7 @@ static int put_cells(const whole *w, const voxels *v, voxelize_files *files, vox
     else
         code = bricks_cut(v, tile, count_brick, &bricks, &bar);
     progress_end(&bar);
-    a->has_bricks = r->is_count || (r->result.format->bricks && !r->result.format->bricks->shell);
+    a->has_bricks = r->is_count || !strcmp(volume_kind(r->result.format), "sparse");
     a->bricks = bricks;
     return code;
 }

@@ -27,7 +27,7 @@ static bool is_grid_small(const voxelize_request *r, const tribox_grid *grid, si
 /* Formats of all cells take the whole grid, and so do small ones; all else goes tile by tile. */
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
-    const bool is_dense = !r->is_count && !r->result.format->bricks && !r->result.options.has_ids;
+    const bool is_dense = !r->is_count && !r->result.format->writer->bricks && !r->result.options.has_ids;
     const bool is_small = in->mesh && (is_dense || is_grid_small(r, &in->cells.grid, in->mesh->triangles));
     return r->has_colours || r->is_thin || is_small;
 }
@@ -53,8 +53,8 @@ void voxelize_note_rows(size_t odd_rows, voxelize_answer *a)
 static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
     a->cells = in->cells;
-    if (r->result.format && r->result.format->check_grid) {
-        const int code = r->result.format->check_grid(r->result.out_path, &in->cells.grid);
+    if (r->result.format && r->result.format->writer->check_grid) {
+        const int code = r->result.format->writer->check_grid(r->result.out_path, &in->cells.grid);
         if (code)
             return code;
     }
@@ -170,8 +170,8 @@ static int work_on_partition(const voxelize_request *r, voxelize_answer *a)
 int voxelize_work(const voxelize_request *r)
 {
     voxelize_answer a = {.r = r};
-    if (r->result.format && r->result.format->begin)
-        r->result.format->begin();
+    if (r->result.format && r->result.format->writer->begin)
+        r->result.format->writer->begin();
     const int code = partition_is_folder(r->from.mesh_path) ? work_on_partition(r, &a) : work_on_mesh(r, &a);
     return code || !r->result.has_summary ? code : voxelize_report(&a);
 }

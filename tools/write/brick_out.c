@@ -62,9 +62,9 @@ enum { LOOK_EVERY = 256 };
 
 static int write_dense(const volume_format *format, const file_out *file, const voxels *v, unsigned threads, progress *bar)
 {
-    if (format->frame)
-        return dense_write(format->frame, file, v, threads, bar);
-    format->write(file->stream, v, bar);
+    if (format->writer->frame)
+        return dense_write(format->writer->frame, file, v, threads, bar);
+    format->writer->write(file->stream, v, bar);
     return EXIT_CODE_OK;
 }
 
@@ -74,7 +74,7 @@ static const brick_writer dense = {.open = gather_open, .put = gather_put, .end 
 
 static const brick_writer *writer(const brick_out *out)
 {
-    return out->format->bricks ? out->format->bricks : out->options.has_ids ? &gather_ids : &dense;
+    return out->format->writer->bricks ? out->format->writer->bricks : out->options.has_ids ? &gather_ids : &dense;
 }
 
 static bool is_spooled(const brick_out *out) { return out->to != out->file->stream; }
@@ -161,9 +161,9 @@ static int cut_voxels(const volume_format *format, const volume_options *options
 int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
                      unsigned threads, uint64_t *bricks, progress *bar)
 {
-    if (!format->bricks)
+    if (!format->writer->bricks)
         return write_dense(format, file, v, threads, bar);
-    if (!format->bricks->shell)
+    if (!format->writer->bricks->shell)
         return cut_voxels(format, options, file, v, tile, bricks, bar);
     brick_out out = {.format = format, .file = file, .to = file->stream, .cells = *v};
     const int code = shell_end(&out, bar);

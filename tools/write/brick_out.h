@@ -82,30 +82,7 @@ int dense_write(const volume_frame *frame, const file_out *file, const voxels *v
 /* Writes the cells, one slab, which may stay where they are, as a mesh. */
 int shell_end(brick_out *out, progress *bar);
 
-/* Arrays of NumPy's: at[n, 3], bits[n, 8], origin, cell, size and shift. The check refuses where zlib is not there. */
-extern const brick_writer bricks_npz;
-int bricks_check_npz(const char *path, const tribox_grid *grid);
-
 /* An id for each cell of any format with a frame. */
 extern const brick_writer gather_ids;
-
-/* An array of NumPy's: the coordinates of cells, [n, 3]. */
-extern const brick_writer bricks_cells;
-
-/*
- * OpenVDB's BoolGrid or MaskGrid. The check finds out whether OpenVDB is there, which takes a while: it may begin before there is a
- * grid.
- */
-extern const brick_writer bricks_vdb;
-void bricks_begin_vdb(void);
-int bricks_check_vdb(const char *path, const tribox_grid *grid);
-
-/*
- * The surface of the cells as a mesh: Stanford's polygons, Wavefront's text, glTF's binary. The checks refuse what memory does not
- * hold.
- */
-extern const brick_writer bricks_ply, bricks_obj, bricks_glb;
-int bricks_check_shell(const char *path, const tribox_grid *grid);
-int bricks_check_glb(const char *path, const tribox_grid *grid);
 
 #endif

@@ -272,12 +272,8 @@ static int end_npz(brick_out *out, progress *bar)
     return EXIT_CODE_OK;
 }
 
-int bricks_check_npz(const char *path, const tribox_grid *grid)
-{
-    (void)path, (void)grid;
-    return EXIT_CODE_OK;
-}
-
 static void drop_npz(brick_out *out) { free_npz(out->state); }
 
-const brick_writer bricks_npz = {.goes_back = true, .open = open_npz, .put = put_npz, .end = end_npz, .drop = drop_npz};
+static const brick_writer bricks = {.goes_back = true, .open = open_npz, .put = put_npz, .end = end_npz, .drop = drop_npz};
+
+const volume_writer volume_npz = {.bricks = &bricks};

@@ -191,7 +191,7 @@ static bool open_grid(filter *f, const vdb_grid *grid, const char *path, int *er
     return false;
 }
 
-void bricks_begin_vdb(void)
+static void begin_early(void)
 {
     char reason[REASON];
     if (!begun)
@@ -213,7 +213,7 @@ static bool begin_grid(const vdb_grid *grid, const char *path, int *error, char 
 }
 
 /* Before the work that what cannot be written would waste. */
-int bricks_check_vdb(const char *path, const tribox_grid *grid)
+static int check_grid(const char *path, const tribox_grid *grid)
 {
     int error;
     char reason[REASON];
@@ -296,4 +296,6 @@ static int end_vdb(brick_out *out, progress *bar)
 
 static void drop_vdb(brick_out *out) { end(out->state); }
 
-const brick_writer bricks_vdb = {.open = open_vdb, .put = put_vdb, .end = end_vdb, .drop = drop_vdb};
+static const brick_writer bricks = {.open = open_vdb, .put = put_vdb, .end = end_vdb, .drop = drop_vdb};
+
+const volume_writer volume_vdb = {.begin = begin_early, .check_grid = check_grid, .bricks = &bricks};

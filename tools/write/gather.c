@@ -106,7 +106,7 @@ static int end_ids(brick_out *out, progress *bar)
     enum { CHUNK = 1 << 12 };
     unsigned char bytes[4 * CHUNK];
     const int32_t *const ids = out->cells.ids;
-    const volume_frame *const frame = out->format->frame;
+    const volume_frame *const frame = out->format->writer->frame;
     const uint64_t cells = cells_of(&out->cells.grid);
     if (frame->before)
         frame->before(out->to, &out->cells);

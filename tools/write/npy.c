@@ -36,7 +36,7 @@ static void write_dense_header(FILE *to, const voxels *v)
     fwrite(header, 1, sizeof header, to);
 }
 
-const volume_frame volume_npy = {.before = write_dense_header};
+const volume_writer volume_npy = {.frame = &(const volume_frame){.before = write_dense_header}};
 
 /* The coordinates of cells, three numbers each. */
 static void write_header(const brick_out *out)
@@ -81,4 +81,6 @@ static int end_cells(brick_out *out, progress *bar)
 
 static void drop_cells(brick_out *out) { (void)out; }
 
-const brick_writer bricks_cells = {.goes_back = true, .open = open_cells, .put = put_cells, .end = end_cells, .drop = drop_cells};
+static const brick_writer bricks = {.goes_back = true, .open = open_cells, .put = put_cells, .end = end_cells, .drop = drop_cells};
+
+const volume_writer volume_cells = {.bricks = &bricks};

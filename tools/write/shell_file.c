@@ -56,7 +56,7 @@ static double coordinate_of(const voxels *v, int axis, uint32_t halves)
 
 static const char shell_instead[] = "choose fewer cells, or write .npz or .vdb";
 
-int bricks_check_shell(const char *path, const tribox_grid *grid)
+static int check_grid(const char *path, const tribox_grid *grid)
 {
     const uint64_t words = (uint64_t)voxels_layer_words(grid) * grid->size[2];
     (void)path;
@@ -176,13 +176,13 @@ enum {
     TEXT_MAX = 2048
 };
 
-int bricks_check_glb(const char *path, const tribox_grid *grid)
+static int check_glb(const char *path, const tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++)
         if (grid->size[a] > SIDE_MOST)
             return message_failure("%s: .glb holds at most %d cells on each axis, the grid has %u x %u x %u; write .ply or .obj",
                                    path, (int)SIDE_MOST, grid->size[0], grid->size[1], grid->size[2]);
-    return bricks_check_shell(path, grid);
+    return check_grid(path, grid);
 }
 
 /* Least and most of each coordinate, in halves of cells. */
@@ -454,7 +454,7 @@ static int write_with_corners(shell_file *f)
 int shell_end(brick_out *out, progress *bar)
 {
     shell s;
-    const shell_format *const format = out->format->bricks->shell;
+    const shell_format *const format = out->format->writer->bricks->shell;
     shell_file f = {.to = out->to, .path = out->file->path, .cells = &out->cells, .shell = &s, .bar = bar, .format = format};
     int code = EXIT_CODE_OK;
     if (!shell_make(&s, &out->cells, tell_finding, bar))
@@ -467,8 +467,12 @@ int shell_end(brick_out *out, progress *bar)
     return code;
 }
 
-#define SHELL_WRITER(name) \
+#define SHELL_WRITER(check, format) \
     { \
-        .open = gather_open, .put = gather_put, .end = shell_end, .drop = gather_drop, .shell = &(name) \
+        .check_grid = (check), .bricks = &(const brick_writer) \
+        { \
+            .open = gather_open, .put = gather_put, .end = shell_end, .drop = gather_drop, .shell = &(format) \
+        } \
     }
-const brick_writer bricks_ply = SHELL_WRITER(shell_ply), bricks_obj = SHELL_WRITER(shell_obj), bricks_glb = SHELL_WRITER(shell_glb);
+const volume_writer volume_ply = SHELL_WRITER(check_grid, shell_ply), volume_obj = SHELL_WRITER(check_grid, shell_obj),
+                    volume_glb = SHELL_WRITER(check_glb, shell_glb);

@@ -7,9 +7,9 @@
 #include "console/decimal.h"
 #include "console/message.h"
 
-const volume_frame volume_raw = {.has_words = true};
+const volume_writer volume_raw = {.frame = &(const volume_frame){.has_words = true}};
 
-#define FORMAT(name, end, about, next, ...) {.word = name, .ending = end, __VA_ARGS__},
+#define FORMAT(word, ...) {#word, __VA_ARGS__, &volume_##word},
 static const volume_format formats[] = {VOLUME_FORMATS(FORMAT)};
 
 enum { FORMATS = sizeof formats / sizeof formats[0] };
@@ -20,13 +20,13 @@ static bool is_first_of_ending(const volume_format *format)
     return format == formats || strcmp(format->ending, format[-1].ending);
 }
 
-static volume_list list_formats(bool (*takes)(const volume_format *format), bool are_endings)
+static volume_list list_formats(const char *holds, bool are_endings)
 {
     const char *found[FORMATS];
     size_t count = 0;
     volume_list list = {.text = ""};
     for (const volume_format *f = formats; f < formats + FORMATS; f++)
-        if ((!takes || takes(f)) && (!are_endings || is_first_of_ending(f)))
+        if ((!holds || volume_holds(f, holds)) && (!are_endings || is_first_of_ending(f)))
             found[count++] = are_endings ? f->ending : f->word;
     for (size_t i = 0, at = 0; i < count && at < sizeof list.text; i++) {
         const char *const before = !i ? "" : i + 1 < count ? ", " : " or ";
@@ -35,9 +35,19 @@ static volume_list list_formats(bool (*takes)(const volume_format *format), bool
     return list;
 }
 
-volume_list volume_words(bool (*takes)(const volume_format *format)) { return list_formats(takes, false); }
+volume_list volume_words(const char *holds) { return list_formats(holds, false); }
 
-volume_list volume_endings(bool (*takes)(const volume_format *format)) { return list_formats(takes, true); }
+volume_list volume_endings(const char *holds) { return list_formats(holds, true); }
+
+const volume_format *volume_format_at(size_t n) { return n < FORMATS ? &formats[n] : NULL; }
+
+bool volume_holds(const volume_format *format, const char *what) { return strstr(format->holds, what); }
+
+const char *volume_kind(const volume_format *format)
+{
+    const brick_writer *const bricks = format->writer->bricks;
+    return !bricks ? "dense" : bricks->shell ? "faces" : "sparse";
+}
 
 const volume_format *volume_format_named(const char *word)
 {
@@ -60,16 +70,10 @@ const volume_format *volume_format_of(const char *path)
     return NULL;
 }
 
-bool volume_takes_ids(const volume_format *format) { return format->frame || (format->bricks && format->takes_labels); }
-
-bool volume_takes_labels(const volume_format *format) { return format->takes_labels; }
-
-bool volume_takes_colours(const volume_format *format) { return format->colours != VOLUME_NO_COLOURS; }
-
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v)
 {
     char by[3][DECIMAL_MAX];
-    if (!format || format->has_place || !voxels_are_shifted(v))
+    if (!format || volume_holds(format, "place") || !voxels_are_shifted(v))
         return;
     for (int a = 0; a < 3; a++)
         decimal_of_double(v->shift[a], by[a]);

@@ -23,100 +23,81 @@ typedef struct volume_frame {
                        it is set, 2 where it is labelled as inside */
 } volume_frame;
 
-/* What a format holds of the colours of cells. */
-typedef enum volume_colours { VOLUME_NO_COLOURS, VOLUME_ANY_COLOURS, VOLUME_PALETTE } volume_colours;
-
-typedef struct volume_format {
-    const char *word;   /* "npy" */
-    const char *ending; /* ".npy" */
-
+/* How a format is written; of frame, write and bricks there is one. */
+typedef struct volume_writer {
     /* Begins what takes long and needs no grid; to be called before the mesh is read. NULL: nothing does. */
     void (*begin)(void);
 
     /* Refuses a grid that the format cannot hold. Returns an exit_code. NULL: it holds every grid. */
     int (*check_grid)(const char *path, const tribox_grid *grid);
 
-    const volume_frame *frame; /* of a dense format, which dense_write writes; NULL for others */
+    /* A dense format, which dense_write writes. */
+    const volume_frame *frame;
 
-    /* Another dense format: writes layer by layer. Stops where the stream fails, which ferror then reports. NULL for others. */
+    /* Another dense format: writes layer by layer. Stops where the stream fails, which ferror then reports. */
     void (*write)(FILE *to, const voxels *v, progress *bar);
 
-    /* A sparse format: writes bricks as they come. NULL for a dense one. brick_out.h writes all. */
+    /* A format that takes bricks as they come; see brick_out.h. */
     const struct brick_writer *bricks;
+} volume_writer;
 
-    volume_colours colours;
-    bool has_place;    /* it says where the grid is, which is where the mesh was before it was shifted */
-    bool takes_labels; /* it can tell cells of the surface from those inside */
+typedef struct volume_format {
+    const char *word;   /* "npy" */
+    const char *ending; /* ".npy" */
+    const char *about;  /* for whom it is */
+    const char *holds;  /* besides which cells are set: words with commas, as volume_holds takes them */
+    const volume_writer *writer;
 } volume_format;
 
 /*
- * Every format, once: its word, its ending, what the help says of it and how that goes on, and the rest of its row. Of two with one
- * ending the first is the one that the ending stands for.
+ * Every format, once: its word, its ending, for whom it is, and what it holds. Help, messages, completion and tribox(1) are made of
+ * this, and its writer is volume_WORD, in a source of its own. Of two with one ending the first is the one that the ending stands
+ * for.
  */
 #define VOLUME_FORMATS(ROW) \
-    ROW("npz", ".npz", " (NumPy, bricks; colours, labels, ids)", ", ", .check_grid = bricks_check_npz, .bricks = &bricks_npz, \
-        .colours = VOLUME_ANY_COLOURS, .has_place = true, .takes_labels = true) \
-    ROW("vdb", ".vdb", " (OpenVDB; the same)", ",\n            ", .begin = bricks_begin_vdb, .check_grid = bricks_check_vdb, \
-        .bricks = &bricks_vdb, .colours = VOLUME_ANY_COLOURS, .has_place = true, .takes_labels = true) \
-    ROW("npy", ".npy", " (NumPy; labels, ids)", ", ", .frame = &volume_npy, .takes_labels = true) \
-    ROW("cells", ".npy", " of coordinates by --out-format cells", ",\n            ", .bricks = &bricks_cells) \
-    ROW("vti", ".vti", " (ParaView)", ", ", .frame = &volume_vti, .has_place = true, .takes_labels = true) \
-    ROW("nrrd", ".nrrd", " (3D Slicer)", ", ", .frame = &volume_nrrd, .has_place = true, .takes_labels = true) \
-    ROW("raw", ".raw", " (bits; all three with labels, ids)", ", ", .frame = &volume_raw, .takes_labels = true) \
-    ROW("binvox", ".binvox", "", ",\n            ", .check_grid = volume_check_binvox, .write = volume_write_binvox, \
-        .has_place = true) \
-    ROW("vox", ".vox", " (MagicaVoxel; colours, labels)", ", ", .check_grid = volume_check_vox, .write = volume_write_vox, \
-        .colours = VOLUME_PALETTE, .takes_labels = true) \
-    ROW("ply", ".ply", "", ", ", .check_grid = bricks_check_shell, .bricks = &bricks_ply, .colours = VOLUME_ANY_COLOURS, \
-        .has_place = true) \
-    ROW("obj", ".obj", "", " and ", .check_grid = bricks_check_shell, .bricks = &bricks_obj, .colours = VOLUME_ANY_COLOURS, \
-        .has_place = true) \
-    ROW("glb", ".glb", " (faces of cells; colours)", "\n", .check_grid = bricks_check_glb, .bricks = &bricks_glb, \
-        .colours = VOLUME_ANY_COLOURS, .has_place = true)
+    ROW(npz, ".npz", "NumPy, bricks", "place, labels, ids, colours") \
+    ROW(vdb, ".vdb", "OpenVDB", "place, labels, ids, colours") \
+    ROW(npy, ".npy", "NumPy, all cells", "labels, ids") \
+    ROW(cells, ".npy", "--out-format cells", "coordinates") \
+    ROW(vti, ".vti", "ParaView", "place, labels, ids") \
+    ROW(nrrd, ".nrrd", "3D Slicer", "place, labels, ids") \
+    ROW(raw, ".raw", "bits", "labels, ids") \
+    ROW(binvox, ".binvox", "cubes", "place") \
+    ROW(vox, ".vox", "MagicaVoxel", "labels, colours of a palette") \
+    ROW(ply, ".ply", "faces", "place, colours") \
+    ROW(obj, ".obj", "faces", "place, colours") \
+    ROW(glb, ".glb", "faces", "place, colours")
 
-/* Lines of help. */
-#define VOLUME_HELP_ROW(word, ending, about, next, ...) ending about next
-#define VOLUME_HELP VOLUME_FORMATS(VOLUME_HELP_ROW)
+#define VOLUME_WRITER(word, ...) extern const volume_writer volume_##word;
+VOLUME_FORMATS(VOLUME_WRITER)
+
+/* Lines of help, as output_text takes them. */
+#define VOLUME_HELP_ROW(word, ending, about, holds) "\t" ending " (" about ": " holds "),"
+#define VOLUME_HELP VOLUME_FORMATS(VOLUME_HELP_ROW) "\tor as --out-format says\n"
 
 /* A list of formats for messages: "npz, vdb or raw". */
 typedef struct volume_list {
     char text[128];
 } volume_list;
 
-/* The words of those that are taken, or their endings; of all where takes is NULL. */
-volume_list volume_words(bool (*takes)(const volume_format *format));
-volume_list volume_endings(bool (*takes)(const volume_format *format));
+/* The words of those that hold this, or their endings; of all where it is NULL. */
+volume_list volume_words(const char *holds);
+volume_list volume_endings(const char *holds);
 
 /* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);
 const volume_format *volume_format_named(const char *word);
 
-/* Whether it has a place for the id of each cell, for labels, and for colours. */
-bool volume_takes_ids(const volume_format *format);
-bool volume_takes_labels(const volume_format *format);
-bool volume_takes_colours(const volume_format *format);
+/* The format of row n, from 0; NULL behind the last. */
+const volume_format *volume_format_at(size_t n);
+
+/* Whether it holds "place": where the grid is, before any shift; "labels", "ids", "colours", or these "of a palette". */
+bool volume_holds(const volume_format *format, const char *what);
+
+/* "sparse": only cells that are set; "dense": all cells of the grid; "faces" between cells. */
+const char *volume_kind(const volume_format *format);
 
 /* Says where the cells are, if they are shifted and the format does not. NULL: nothing is written. */
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v);
-
-/* NumPy 1.0: one bool per cell, or label of uint8, shape (nz, ny, nx), so that array[k, j, i] is cell (i, j, k). */
-extern const volume_frame volume_npy;
-
-/* The words of tribox_voxelize, layer by layer, little-endian, and nothing else; labels as a byte for each cell. */
-extern const volume_frame volume_raw;
-
-/* VTK's XML image, 1.0: a cell of unsigned char for each cell, appended raw. */
-extern const volume_frame volume_vti;
-
-/* NRRD 4: an unsigned char for each cell, raw, with the directions and the origin of the space. */
-extern const volume_frame volume_nrrd;
-
-/* binvox 1: runs of equal cells, y fastest, then z, then x. Empty cells fill the grid up to a cube; cells must be cubes. */
-int volume_check_binvox(const char *path, const tribox_grid *grid);
-void volume_write_binvox(FILE *to, const voxels *v, progress *bar);
-
-/* MagicaVoxel 150: one model, a list of cells; at most 256 cells on each axis. Labels have colours of their own. */
-int volume_check_vox(const char *path, const tribox_grid *grid);
-void volume_write_vox(FILE *to, const voxels *v, progress *bar);
 
 #endif

@@ -16,7 +16,7 @@ static uint32_t longest(const tribox_grid *grid)
     return side;
 }
 
-int volume_check_binvox(const char *path, const tribox_grid *grid)
+static int check_grid(const char *path, const tribox_grid *grid)
 {
     if (longest(grid) > SIDE_MOST)
         return message_failure(
@@ -72,7 +72,7 @@ static void add_line(run *r, const uint64_t *layer, const tribox_grid *grid, uin
     add_cells(r, 0, side - grid->size[1]);
 }
 
-void volume_write_binvox(FILE *to, const voxels *v, progress *bar)
+static void write_binvox(FILE *to, const voxels *v, progress *bar)
 {
     const uint32_t side = longest(&v->grid);
     run r = {.to = to};
@@ -86,3 +86,5 @@ void volume_write_binvox(FILE *to, const voxels *v, progress *bar)
     add_cells(&r, 0, (uint64_t)side * side * (side - v->grid.size[0]));
     end_run(&r);
 }
+
+const volume_writer volume_binvox = {.check_grid = check_grid, .write = write_binvox};

@@ -64,7 +64,7 @@ static void write_vti_header(FILE *to, const voxels *v)
 
 static void write_after(FILE *to) { fputs("\n  </AppendedData>\n</VTKFile>\n", to); }
 
-const volume_frame volume_vti = {.before = write_vti_header, .after = write_after};
+const volume_writer volume_vti = {.frame = &(const volume_frame){.before = write_vti_header, .after = write_after}};
 
 /* The place of a sample is the middle of its cell. */
 static double middle(const voxels *v, int a) { return v->grid.origin[a] + v->grid.cell[a] / 2 + v->shift[a]; }
@@ -102,4 +102,4 @@ static void write_nrrd_header(FILE *to, const voxels *v)
     fputs("\n\n", to);
 }
 
-const volume_frame volume_nrrd = {.before = write_nrrd_header};
+const volume_writer volume_nrrd = {.frame = &(const volume_frame){.before = write_nrrd_header}};

@@ -9,7 +9,7 @@
 /* A colour is an index of the palette, where 1 is white by default. A chunk's header is its name and two lengths. */
 enum { VERSION = 150, SIDE_MAX = 256, COLOUR = 1, CHUNK_HEADER = 12, SIZE_BYTES = 12, COLOURS = 256, PALETTE_BYTES = 4 * COLOURS };
 
-int volume_check_vox(const char *path, const tribox_grid *grid)
+static int check_grid(const char *path, const tribox_grid *grid)
 {
     const uint32_t *n = grid->size;
     if (n[0] <= SIDE_MAX && n[1] <= SIDE_MAX && n[2] <= SIDE_MAX)
@@ -72,7 +72,7 @@ static void write_label_palette(FILE *to)
     fwrite(colours, 1, sizeof colours, to);
 }
 
-void volume_write_vox(FILE *to, const voxels *v, progress *bar)
+static void write_vox(FILE *to, const voxels *v, progress *bar)
 {
     const uint32_t *n = v->grid.size, cells = (uint32_t)voxels_occupied(v), cell_bytes = 4 + 4 * cells;
     const bool has_labels = voxels_have_labels(v);
@@ -95,3 +95,5 @@ void volume_write_vox(FILE *to, const voxels *v, progress *bar)
     else if (has_labels)
         write_label_palette(to);
 }
+
+const volume_writer volume_vox = {.check_grid = check_grid, .write = write_vox};
