@@ -8,6 +8,7 @@
 #include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
+#include "write/volume.h"
 
 static const char help[] = "tribox info - version, processor, and the kernels that it can run\n"
                            "\n"
@@ -30,6 +31,18 @@ typedef struct request {
 
 static const option_entry options[] = {{"json", 'j', OPTION_SETS(request, wants_json)}, {NULL, 0, false}};
 
+/* What the manual page is made of, too. */
+static void print_format(json *j, const volume_format *format)
+{
+    json_open_object(j, NULL);
+    json_string(j, "word", format->word);
+    json_string(j, "ending", format->ending);
+    json_string(j, "kind", volume_kind(format));
+    json_string(j, "about", format->about);
+    json_string(j, "holds", format->holds);
+    json_close(j);
+}
+
 static int print_json(const char *processor)
 {
     json j = json_to(stdout);
@@ -45,6 +58,10 @@ static int print_json(const char *processor)
     json_string(&j, NULL, "float32");
     json_string(&j, NULL, "float64");
     json_close(&j);
+    json_open_rows(&j, "formats");
+    for (size_t i = 0; volume_format_at(i); i++)
+        print_format(&j, volume_format_at(i));
+    json_close(&j);
     json_close(&j);
     return output_flush();
 }
@@ -57,7 +74,10 @@ static int print_text(const char *processor)
     for (size_t i = 0; tribox_kernel_list(i); i++)
         printf(" %s", tribox_kernel_list(i));
     printf("\ndefault kernel  %s\n", tribox_kernel_name(NULL));
-    printf("positions       float32, float64\n");
+    printf("positions       float32, float64\nformats        ");
+    for (size_t i = 0; volume_format_at(i); i++)
+        printf(" %s", volume_format_at(i)->word);
+    putchar('\n');
     return output_flush();
 }
 

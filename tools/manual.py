@@ -3,7 +3,9 @@
 
 "# TITLE" begins a section, an empty line a paragraph; "| " stands before lines that stay as they are, and "- TERM" before an item,
 whose lines are indented. "# tribox COMMAND" begins with what the help of the command says, and ends with its options and examples;
-an item there is what else there is to say of an option. *Words* are bold, and so are options."""
+an item there is what else there is to say of an option. *Words* are bold, and so are options. {labels} are the formats that hold
+labels, as 'tribox info --json' lists them, and {faces} those of that kind; under FORMATS each of them has an item."""
+import json
 import re
 import subprocess
 import sys
@@ -31,8 +33,23 @@ class page:
     def __init__(self, program):
         self.program, self.lines, self.is_fresh = program, [HEAD], True
 
+        self.formats = json.loads(self.run("info", "--json"))["formats"]
+
+    def run(self, *words):
+        return subprocess.run([self.program, *words], check=True, capture_output=True, encoding="ascii").stdout
+
     def help(self, command):
-        return subprocess.run([self.program, "help", *command], check=True, capture_output=True, encoding="ascii").stdout
+        return self.run("help", *command)
+
+    def named(self, found):
+        """The formats that hold something, or of a kind."""
+        names = [self.name(each) for each in self.formats if found[1] in (each["kind"], *re.findall(r"\w+", each["holds"]))]
+        assert names, f"no format holds {found[1]}"
+        return ", ".join(names[:-1]) + " and " * (len(names) > 1) + names[-1]
+
+    def name(self, of):
+        """Its ending, or its word where another has that ending."""
+        return of["ending"] if of["ending"] == "." + of["word"] else f"*{of['word']}*"
 
     def put(self, *lines, is_fresh=True):
         self.lines += lines
@@ -76,6 +93,10 @@ class page:
     def section(self, title, text):
         body, *items = re.split(r"^- ", text, flags=re.M)
         items = [item.partition("\n")[::2] for item in items]
+        if title == "FORMATS":
+            told = {name for term, _ in items for name in term.split(", ")}
+            rest = [each for each in self.formats if self.name(each) not in told]
+            items += [(self.name(each), f"{each['about']}: {each['holds']}.") for each in rest]
         self.put(".Sh " + title.upper())
         if title.startswith("tribox "):
             self.command(title.split()[1], body, dict(items))
@@ -94,7 +115,8 @@ def main(program, text_path, page_path):
     for use in re.findall(r"(?<=tribox )\w.*|(?<=tribox )--.*", general.split("\n\n")[1])[1:]:
         made.put(".Nm tribox", inline(use))
     with open(text_path, encoding="ascii") as file:
-        for section in re.split(r"^# ", file.read(), flags=re.M)[1:]:
+        text = re.sub(r"\{(\w+)\}", made.named, file.read())
+        for section in re.split(r"^# ", text, flags=re.M)[1:]:
             made.section(*section.split("\n", 1))
     with open(page_path, "w", encoding="ascii") as file:
         file.write("\n".join(made.lines) + "\n")

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The completion of bash knows the commands and options of the program: completion.sh PROGRAM COMPLETION
+# The completion of bash knows the commands, options and formats of the program: completion.sh PROGRAM COMPLETION
 set -eu
 command -v bash >/dev/null || { echo "no bash: skipped"; exit 77; }
 exec bash -eu -s "$1" "$2" <<'END'
@@ -26,4 +26,5 @@ expect "$program --v" --version
 expect "$program voxelize --re" --resolution
 expect "$program overlap mesh.ply --l" --list
 expect "$program merge a.npz" ''
+expect "$program voxelize a.obj --out-format nr" nrrd
 END

@@ -78,7 +78,7 @@ def kernels():
 @functools.lru_cache
 def formats():
     """The words of --out-format, as the program lists them, of those that can be written here."""
-    words = re.findall(r"\w+", re.search("none of (.*);", run("voxelize", "--out-format", "?").stderr)[1].replace(" or ", " "))
+    words = [each["word"] for each in json.loads(run("info", "--json").stdout)["formats"]]
     return [word for word in words if word != "vdb" or not lacks("OpenVDB")]
 
 

@@ -202,15 +202,16 @@ class Help(harness.TestCase):
 
     def test_version_and_info(self):
         info = self.ask("info")
-        self.assertEqual(sorted(info), ["default_kernel", "kernels", "positions", "processor", "version"])
+        self.assertEqual(sorted(info), ["default_kernel", "formats", "kernels", "positions", "processor", "version"])
         self.assertRegex(info["version"], r"\A\d+\.\d+\.\d+\Z")
         self.assertEqual(self.succeed("--version"), "tribox %s\n" % info["version"])
         self.assertEqual((info["kernels"][0], info["kernels"][-1], info["positions"]),
                          (info["default_kernel"], "scalar", ["float32", "float64"]))
         self.assertTrue(info["processor"])
         self.assertEqual(self.succeed("info"), "version         %s\nprocessor       %s\nkernels         %s\ndefault kernel  %s\n"
-                         "positions       float32, float64\n" % (info["version"], info["processor"], " ".join(info["kernels"]),
-                                                                 info["default_kernel"]))
+                         "positions       float32, float64\nformats         %s\n" % (
+                             info["version"], info["processor"], " ".join(info["kernels"]), info["default_kernel"],
+                             " ".join(each["word"] for each in info["formats"])))
 
 
 class Wrong(harness.TestCase):
