@@ -11,6 +11,7 @@
 #include "console/processors.h"
 #include "console/terminal.h"
 #include "overlap/overlap.h"
+#include "read/mesh_file.h"
 
 static const char help[] =
     "tribox overlap - which triangles of a mesh overlap a box?\n"
@@ -30,7 +31,7 @@ static const char help[] =
     "      --shift X,Y,Z|auto  subtract this from the mesh first, in double; auto: near its corner\n"
     "      --inside            also count the triangles inside the box, on its border and outside\n"
     "  -o, --out FILE          write the faces that overlap, with --inside those inside, as a mesh in the\n"
-    "                          format of MESH with all attributes: PLY, OBJ, OFF, STL, raw triangles\n"
+    "                          format of MESH with all attributes: " MESH_ENDINGS "\n"
     "      --rest FILE         write all other faces, with -o or alone; - is standard output\n"
     "  -l, --list              print the numbers of the overlapping triangles, from 0, and nothing\n"
     "                          else; with --boxes it needs --json\n"

@@ -2,6 +2,7 @@
 #include "console/message.h"
 #include "picture/preview.h"
 #include "read/mesh.h"
+#include "read/mesh_file.h"
 #include "write/brick_out.h"
 #include "write/part.h"
 
@@ -18,10 +19,10 @@ bool picture_png_write(FILE *to, const unsigned char *pixels, unsigned width, un
 #ifdef WITHOUT_ASSIMP
 static int refuse_mesh(const char *path)
 {
-    return message_failure(
-        "%s: not a PLY, OFF, OBJ, STL, .f32 or .f64 file, and this program was built without libassimp, which reads other "
-        "formats; install libassimp-dev and build it again, or save the mesh as PLY",
-        path);
+    return message_failure("%s: not a file of " MESH_ENDINGS
+                           ", and this program was built without libassimp, which reads other formats; "
+                           "install libassimp-dev and build it again, or save the mesh as PLY",
+                           path);
 }
 
 int read_by_assimp(const char *path, mesh *m)

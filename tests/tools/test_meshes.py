@@ -231,7 +231,7 @@ def with_word(text, start, word):
 # What is no mesh: the name of the file, what is in it and what is said.
 BAD = [
     *(("empty" + ending, "", "the file is empty") for ending in (".obj", ".ply", ".off", ".stl", ".f32", "")),
-    *((name, "hello\n", "not a (mesh that libassimp can read, or a damaged one|PLY, OFF, OBJ, STL, .f32 or .f64 file)")
+    *((name, "hello\n", "not a (mesh that libassimp can read, or a damaged one|file of .ply, .off, .stl, .obj, .f32 or .f64)")
       for name in ("notes.txt", "notes.gltf", "no_ending")),
     ("notes.obj", "hello\n", "not an OBJ file, or an empty one: it has no line with a vertex, 'v X Y Z'"),
     ("notes.ply", "hello\n", "not a PLY file: it does not begin with 'ply'"),
@@ -345,7 +345,7 @@ class Bad(harness.TestCase):
     def test_part_is_damaged(self):
         mesh = self.write("scene.gltf", "{}")
         self.write("tribox_assimp.so", "no library\n")
-        self.fail_with(1, "scene.gltf: not a PLY, .* file, and what reads others cannot be loaded: .*tribox_assimp.so", "overlap",
+        self.fail_with(1, "scene.gltf: not a file of .ply, .*, and what reads others cannot be loaded: .*tribox_assimp.so", "overlap",
                        mesh, "--box", UNIT_BOX, env={"LD_LIBRARY_PATH": self.folder})
 
     def test_cut(self):

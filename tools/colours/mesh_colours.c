@@ -331,18 +331,12 @@ static int read_others(const char *path, mesh_colours *to)
     return EXIT_CODE_OK;
 }
 
-static bool has_no_colours(const char *path, mesh_kind kind)
-{
-    return kind == MESH_STL_TEXT || mesh_kind_has_ending(path, ".stl") || mesh_kind_has_ending(path, ".f32") ||
-           mesh_kind_has_ending(path, ".f64");
-}
-
 int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
                       mesh_colours *colours)
 {
     const mesh_kind kind = format == TRIANGLES_OTHER ? mesh_kind_of(path) : MESH_OTHER;
     *colours = (mesh_colours){.triangles = triangles, .from = "vertices"};
-    if (format != TRIANGLES_OTHER || has_no_colours(path, kind))
+    if (format != TRIANGLES_OTHER || kind == MESH_STL_TEXT || triangle_format_of(path) != TRIANGLES_OTHER)
         return message_failure("%s: no colours of its format are read: %s", triangle_file_name(path), advice);
     colours->of = malloc(triangles * sizeof *colours->of);
     if (!colours->of)

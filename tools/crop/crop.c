@@ -19,9 +19,7 @@ static const char *const options[CROP_SIDES] = {"-o", "--rest"};
 
 static const char *ending_of(const crop_files *f)
 {
-    static const char *const of_formats[] = {[TRIANGLES_STL] = ".stl", [TRIANGLES_F32] = ".f32", [TRIANGLES_F64] = ".f64"},
-                             *const of_kinds[] = {".ply", ".off", ".stl", ".obj"};
-    return f->format != TRIANGLES_OTHER ? of_formats[f->format] : of_kinds[f->kind];
+    return f->format != TRIANGLES_OTHER ? triangle_layouts[f->format].ending : mesh_kind_ending(f->kind);
 }
 
 /* Binary STL may have a name of any ending, and a name in .stl be of text. */
@@ -36,8 +34,8 @@ static int find_format(triangle_format given, crop_files *f)
     f->kind = f->format == TRIANGLES_OTHER ? mesh_kind_of(f->mesh_path) : MESH_OTHER;
     if (f->format != TRIANGLES_OTHER || f->kind != MESH_OTHER)
         return EXIT_CODE_OK;
-    return message_failure("%s: -o and --rest write PLY, OBJ, OFF, STL and raw triangles, each from a mesh of the same format; "
-                           "convert it to one of these first",
+    return message_failure("%s: -o and --rest write " MESH_ENDINGS
+                           ", each from a mesh of the same format; convert it to one of these first",
                            f->mesh_path);
 }
 
@@ -209,7 +207,8 @@ static void put_records(crop *c, const unsigned char *records, size_t count, siz
 /* Records of one size, which stay what they are, byte for byte. */
 static int crop_records(crop *c, triangle_file *file)
 {
-    const size_t record = triangle_file_record(file);
+    const triangle_layout *const layout = &triangle_layouts[file->format];
+    const size_t record = layout->record;
     unsigned char *const records = malloc(TRIANGLE_BLOCK * record);
     if (!records)
         return message_failure("%s: out of memory", c->path);
@@ -218,7 +217,7 @@ static int crop_records(crop *c, triangle_file *file)
     if (!crop_is_over(c) && file->format == TRIANGLES_STL)
         put_stl_header(c, file);
     while (!crop_is_over(c) && c->next < c->choice.triangles) {
-        const uint64_t left = c->choice.triangles - c->next, at = file->start + c->next * record;
+        const uint64_t left = c->choice.triangles - c->next, at = layout->start + c->next * record;
         const size_t count = left < TRIANGLE_BLOCK ? (size_t)left : TRIANGLE_BLOCK;
         size_t got;
         if (named_file_read_at(file->stream, at, records, count * record, &got) && got == count * record)

@@ -12,7 +12,6 @@
 #include "console/message.h"
 #include "files/file_map.h"
 #include "files/named_file.h"
-#include "read/little.h"
 #include "read/mesh.h"
 #include "read/scan.h"
 
@@ -271,11 +270,6 @@ static bool ply_piece_read(const ply_piece *p, uint64_t first, size_t count, voi
 
 enum { NUMBERS = 9 };
 
-/* Where triangles begin, how long each is, and where in it its numbers are. */
-static const struct {
-    unsigned start, record, at, bytes;
-} layouts[] = {[TRIANGLES_STL] = {84, 50, 12, 4}, [TRIANGLES_F32] = {0, 36, 0, 4}, [TRIANGLES_F64] = {0, 72, 0, 8}};
-
 /* Regular files of triangles stay where they are. */
 static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned threads)
 {
@@ -288,7 +282,7 @@ static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned t
     if (code)
         return code;
     if (is_streamed) {
-        p->is_double = layouts[p->format].bytes == sizeof(double);
+        p->is_double = triangle_layouts[p->format].number_bytes == sizeof(double);
         return EXIT_CODE_OK;
     }
     p->ply = ply_piece_open(p->path, is_wide);
@@ -368,36 +362,22 @@ size_t pieces_room(const pieces *all)
     return all->read_bytes == sizeof(double) ? sizeof(double[NUMBERS]) : RECORD_MOST;
 }
 
-/* Turns records into numbers of this machine, in place: each ends before the next begins. */
-static void unpack(unsigned char *bytes, triangle_format format, size_t count)
-{
-    const size_t record = layouts[format].record, at = layouts[format].at;
-    for (size_t t = 0; layouts[format].bytes == sizeof(float) && t < count; t++)
-        for (size_t k = 0; k < NUMBERS; k++) {
-            const uint32_t bits = little_get32(bytes + t * record + at + 4 * k);
-            memcpy(bytes + 4 * (t * NUMBERS + k), &bits, sizeof bits);
-        }
-    for (size_t k = 0; layouts[format].bytes == sizeof(double) && k < NUMBERS * count; k++) {
-        const uint64_t bits = little_get64(bytes + 8 * k);
-        memcpy(bytes + 8 * k, &bits, sizeof bits);
-    }
-}
-
 static bool read_records(const piece_block *b, unsigned char *bytes)
 {
-    const size_t record = layouts[b->from->format].record, size = b->count * record;
+    const triangle_layout *const layout = &triangle_layouts[b->from->format];
+    const size_t size = b->count * layout->record;
     FILE *const file = named_file_open(b->from->path, "rb");
     if (!file)
         return false;
     setvbuf(file, NULL, _IONBF, 0);
     errno = 0;
-    const uint64_t start = layouts[b->from->format].start + b->first * record;
+    const uint64_t start = layout->start + b->first * layout->record;
     const bool is_read = !fseeko(file, (off_t)start, SEEK_SET) && fread(bytes, 1, size, file) == size;
     const int reason = errno;
     fclose(file);
     errno = reason;
     if (is_read)
-        unpack(bytes, b->from->format, b->count);
+        triangles_unpack(b->from->format, b->count, bytes);
     return is_read;
 }
 

@@ -101,10 +101,12 @@ void plain_file_close(plain_file *file)
     file->stream = NULL;
 }
 
+#define KIND(kind, name, word, ending, comment) {word, ending},
 static const struct {
     const char *word, *ending;
-} kinds[] = {
-    [MESH_PLY] = {"ply", ".ply"}, [MESH_OFF] = {"off", ".off"}, [MESH_STL_TEXT] = {"solid", ".stl"}, [MESH_OBJ] = {"", ".obj"}};
+} kinds[] = {MESH_KINDS(KIND)};
+
+const char *mesh_kind_ending(mesh_kind kind) { return kinds[kind].ending; }
 
 bool mesh_kind_has_ending(const char *path, const char *ending)
 {

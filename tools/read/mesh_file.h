@@ -16,10 +16,27 @@ int whole_file_read(const char *path, whole_file *file);
 
 void whole_file_free(whole_file *file);
 
-/* OTHER: libassimp may know it. Binary STL is a matter of triangle_file.h. */
-typedef enum mesh_kind { MESH_PLY, MESH_OFF, MESH_STL_TEXT, MESH_OBJ, MESH_OTHER } mesh_kind;
+/*
+ * Every format that scan.h reads, once: its name in scan_open_ply and scan_next_ply, the word that it begins with, its ending, and
+ * what begins a comment. Binary STL is a matter of triangle_file.h.
+ */
+#define MESH_KINDS(ROW) \
+    ROW(MESH_PLY, ply, "ply", ".ply", ' ') \
+    ROW(MESH_OFF, off, "off", ".off", '#') \
+    ROW(MESH_STL_TEXT, stl, "solid", ".stl", ' ') \
+    ROW(MESH_OBJ, obj, "", ".obj", '#')
 
-/* The same of a file, from its beginning; OTHER where it cannot be read. */
+/* OTHER: libassimp may know it. */
+#define MESH_KIND(kind, ...) kind,
+typedef enum mesh_kind { MESH_KINDS(MESH_KIND) MESH_OTHER } mesh_kind;
+
+/* What is read here, for messages and help. */
+#define MESH_KIND_ENDING(kind, name, word, ending, ...) ending ", "
+#define MESH_ENDINGS MESH_KINDS(MESH_KIND_ENDING) ".f32 or .f64"
+
+const char *mesh_kind_ending(mesh_kind kind);
+
+/* The kind of a file, from its beginning; OTHER where it cannot be read. */
 mesh_kind mesh_kind_of(const char *path);
 
 bool mesh_kind_has_ending(const char *path, const char *ending);

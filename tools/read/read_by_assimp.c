@@ -7,6 +7,7 @@
 #include "assimp_part.h"
 #include "console/message.h"
 #include "mesh.h"
+#include "mesh_file.h"
 
 /*
  * The part stands beside the program's libraries. It is loaded for these files alone: libassimp takes twice as long
@@ -24,8 +25,7 @@ static const void *open_scene(const char *path, const assimp_part **part, assimp
     char reason[ASSIMP_REASON];
     *part = load();
     if (!*part) {
-        message_failure("%s: not a PLY, OFF, OBJ, STL, .f32 or .f64 file, and what reads others cannot be loaded: %s", path,
-                        dlerror());
+        message_failure("%s: not a file of " MESH_ENDINGS ", and what reads others cannot be loaded: %s", path, dlerror());
         return NULL;
     }
     const void *const scene = (*part)->open(path, counts, opened, reason);

@@ -6,20 +6,24 @@
 #include "console/memory.h"
 #include "console/message.h"
 
+#define FORMAT(kind, name, word, ending, comment) {scan_open_##name, scan_next_##name, comment},
+static const struct {
+    int (*open)(scan *s, const whole_file *file);
+    int (*next)(scan *s);
+    char comment;
+} formats[] = {MESH_KINDS(FORMAT)};
+
 int scan_open(const char *path, mesh_kind kind, const whole_file *file, scan *s)
 {
     s->kind = kind;
-    s->words = words_of(path, file, kind == MESH_PLY || kind == MESH_STL_TEXT ? ' ' : '#');
+    s->words = words_of(path, file, formats[kind].comment);
     s->has_colours = s->has_coloured_vertices = false;
     s->item = (scan_item){.references = NULL};
     s->fit = FLOAT_FIT_EXACT;
     for (int k = 0; k < SCAN_NUMBERED; k++)
         s->all[k] = 0;
     scan_again(s);
-    return kind == MESH_PLY   ? scan_open_ply(s, file)
-           : kind == MESH_OFF ? scan_open_off(s)
-           : kind == MESH_OBJ ? scan_open_obj(s)
-                              : scan_open_stl(s, file);
+    return formats[kind].open(s, file);
 }
 
 void scan_close(scan *s) { free(s->item.references); }
@@ -42,10 +46,7 @@ int scan_next(scan *s)
     i->run = 1;
     i->gap = i->begin = s->from;
     i->after = "";
-    const int code = s->kind == MESH_PLY   ? scan_next_ply(s)
-                     : s->kind == MESH_OFF ? scan_next_off(s)
-                     : s->kind == MESH_OBJ ? scan_next_obj(s)
-                                           : scan_next_stl(s);
+    const int code = formats[s->kind].next(s);
     s->from = i->end;
     return code;
 }

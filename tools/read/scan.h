@@ -182,13 +182,9 @@ int scan_refer(scan *s, scan_reference reference);
 #define SCAN_REFUSE(s, ...) ((s)->words.path ? message_failure(__VA_ARGS__) : EXIT_CODE_FAILURE)
 
 /* The formats: what comes first, and what is next. */
-int scan_open_ply(scan *s, const whole_file *file);
-int scan_open_off(scan *s);
-int scan_open_obj(scan *s);
-int scan_open_stl(scan *s, const whole_file *file);
-int scan_next_ply(scan *s);
-int scan_next_off(scan *s);
-int scan_next_obj(scan *s);
-int scan_next_stl(scan *s);
+#define SCAN_FORMAT(kind, name, ...) \
+    int scan_open_##name(scan *s, const whole_file *file); \
+    int scan_next_##name(scan *s);
+MESH_KINDS(SCAN_FORMAT)
 
 #endif

@@ -120,8 +120,9 @@ int scan_next_obj(scan *s)
 }
 
 /* Faces refer to lines before and after them. */
-int scan_open_obj(scan *s)
+int scan_open_obj(scan *s, const whole_file *file)
 {
+    (void)file;
     words w = s->words;
     w.is_continued = s->words.is_continued = true;
     for (; words_next(&w); words_skip_line(&w)) {

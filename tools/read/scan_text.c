@@ -51,8 +51,9 @@ static int take_counts(scan *s)
     return code;
 }
 
-int scan_open_off(scan *s)
+int scan_open_off(scan *s, const whole_file *file)
 {
+    (void)file;
     const words *const w = &s->words;
     const int code = take_counts(s);
     if (code)

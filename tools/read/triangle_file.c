@@ -15,18 +15,14 @@
 
 enum { NUMBERS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, STL_RECORD = 50 };
 
-/* The bytes of a triangle, and where in them its numbers begin. */
-static const struct {
-    const char *word, *ending;
-    size_t record, numbers_at;
-} formats[] = {[TRIANGLES_STL] = {"stl", ".stl", STL_RECORD, 12},
-               [TRIANGLES_F32] = {"f32", ".f32", 4 * NUMBERS, 0},
-               [TRIANGLES_F64] = {"f64", ".f64", 8 * NUMBERS, 0}};
+const triangle_layout triangle_layouts[] = {[TRIANGLES_STL] = {"stl", ".stl", STL_HEADER, STL_RECORD, 12, sizeof(float)},
+                                            [TRIANGLES_F32] = {"f32", ".f32", 0, NUMBERS * sizeof(float), 0, sizeof(float)},
+                                            [TRIANGLES_F64] = {"f64", ".f64", 0, NUMBERS * sizeof(double), 0, sizeof(double)}};
 
 int triangle_format_read(const char *text, triangle_format *format)
 {
     for (*format = TRIANGLES_STL; *format <= TRIANGLES_F64; ++*format)
-        if (!strcmp(text, formats[*format].word))
+        if (!strcmp(text, triangle_layouts[*format].word))
             return EXIT_CODE_OK;
     return message_usage("--format: '%s' is none of stl, f32, f64", text);
 }
@@ -41,11 +37,11 @@ int triangle_format_check(const char *path, triangle_format format)
 
 const char *triangle_file_name(const char *path) { return is_stdin(path) ? "stdin" : path; }
 
-static triangle_format format_of_name(const char *path)
+triangle_format triangle_format_of(const char *path)
 {
     const char *ending = strrchr(path, '.');
     for (triangle_format f = TRIANGLES_STL; ending && f <= TRIANGLES_F64; f++)
-        if (!strcasecmp(ending, formats[f].ending))
+        if (!strcasecmp(ending, triangle_layouts[f].ending))
             return f;
     return TRIANGLES_OTHER;
 }
@@ -105,7 +101,6 @@ static int open_stl(triangle_file *file, bool is_given)
         return message_failure("%s: cannot read the mesh: %s", file->name, strerror(errno));
     if (!got)
         return message_failure("%s: the file is empty", file->name);
-    file->start = sizeof header;
     file->promised = got < sizeof header ? 0 : little_get32(header + STL_COUNT_AT);
     const uint64_t due = STL_HEADER + STL_RECORD * file->promised; /* 38 bits at most */
     if (is_text(header, got) && file->size != due)
@@ -119,7 +114,7 @@ static int open_stl(triangle_file *file, bool is_given)
 
 static int open_raw(triangle_file *file)
 {
-    const size_t record = formats[file->format].record;
+    const size_t record = triangle_layouts[file->format].record;
     const uint64_t whole = file->size / record, rest = file->size % record;
     file->promised = file->is_sized ? whole : UINT64_MAX;
     if (!file->is_sized || !rest)
@@ -132,8 +127,8 @@ static int open_raw(triangle_file *file)
 int triangle_file_open(const char *path, triangle_format format, triangle_file *file)
 {
     const bool is_given = format != TRIANGLES_OTHER;
-    *file =
-        (triangle_file){.name = triangle_file_name(path), .format = is_given ? format : format_of_name(path), .size = UINT64_MAX};
+    *file = (triangle_file){
+        .name = triangle_file_name(path), .format = is_given ? format : triangle_format_of(path), .size = UINT64_MAX};
     if (file->format == TRIANGLES_OTHER)
         return EXIT_CODE_OK;
     const int code = open_stream(path, file);
@@ -143,7 +138,7 @@ int triangle_file_open(const char *path, triangle_format format, triangle_file *
 /* Says after how many triangles the file ends too soon. */
 static int refuse_end(const triangle_file *file, uint64_t taken, size_t got, int error)
 {
-    const size_t record = formats[file->format].record;
+    const size_t record = triangle_layouts[file->format].record;
     const uint64_t whole = taken + got / record;
     if (error)
         return message_failure("%s: cannot read the mesh after %" PRIu64 " triangles: %s", file->name, whole, strerror(error));
@@ -155,16 +150,16 @@ static int refuse_end(const triangle_file *file, uint64_t taken, size_t got, int
                            file->name, whole, promise, got % record, record);
 }
 
-/* Turns records into the floats or doubles of this machine, in place. */
-static void turn_records(triangle_format format, size_t count, unsigned char *bytes)
+/* Each number ends before the next begins. */
+void triangles_unpack(triangle_format format, size_t count, unsigned char *bytes)
 {
-    const size_t record = formats[format].record, at = formats[format].numbers_at;
-    for (size_t i = 0; format != TRIANGLES_F64 && i < count; i++)
+    const triangle_layout layout = triangle_layouts[format];
+    for (size_t i = 0; layout.number_bytes == sizeof(float) && i < count; i++)
         for (size_t k = 0; k < NUMBERS; k++) {
-            const uint32_t bits = little_get32(bytes + i * record + at + 4 * k);
+            const uint32_t bits = little_get32(bytes + i * layout.record + layout.numbers_at + 4 * k);
             memcpy(bytes + 4 * (i * NUMBERS + k), &bits, sizeof bits);
         }
-    for (size_t k = 0; format == TRIANGLES_F64 && k < NUMBERS * count; k++) {
+    for (size_t k = 0; layout.number_bytes == sizeof(double) && k < NUMBERS * count; k++) {
         const uint64_t bits = little_get64(bytes + 8 * k);
         memcpy(bytes + 8 * k, &bits, sizeof bits);
     }
@@ -185,7 +180,7 @@ static int check_end(const triangle_file *file)
 /* What a stream has next. */
 static int read_stream(const triangle_file *file, triangle_block *block)
 {
-    const size_t record = formats[file->format].record, wanted = block->count * record;
+    const size_t record = triangle_layouts[file->format].record, wanted = block->count * record;
     errno = 0;
     const size_t got = fread(block->bytes, 1, wanted, file->stream);
     const int error = ferror(file->stream) ? errno : 0;
@@ -207,11 +202,11 @@ int triangle_file_find(triangle_file *file, triangle_block *block)
 
 static int read_at(const triangle_file *file, triangle_block *block)
 {
-    const size_t record = formats[file->format].record;
+    const triangle_layout *const layout = &triangle_layouts[file->format];
+    const size_t bytes = block->count * layout->record;
     size_t got;
-    const bool is_read =
-        named_file_read_at(file->stream, file->start + block->first * record, block->bytes, block->count * record, &got);
-    return is_read && got == block->count * record ? EXIT_CODE_OK : refuse_end(file, block->first, got, is_read ? 0 : errno);
+    const bool is_read = named_file_read_at(file->stream, layout->start + block->first * layout->record, block->bytes, bytes, &got);
+    return is_read && got == bytes ? EXIT_CODE_OK : refuse_end(file, block->first, got, is_read ? 0 : errno);
 }
 
 int triangle_file_unpack(const triangle_file *file, triangle_block *block, float *const streams[9], double *positions)
@@ -219,7 +214,7 @@ int triangle_file_unpack(const triangle_file *file, triangle_block *block, float
     const int code = file->is_sized ? read_at(file, block) : EXIT_CODE_OK;
     if (code)
         return code;
-    turn_records(file->format, block->count, block->bytes);
+    triangles_unpack(file->format, block->count, block->bytes);
     if (positions) {
         memcpy(positions, block->bytes, block->count * NUMBERS * sizeof *positions);
         return EXIT_CODE_OK;
@@ -228,8 +223,6 @@ int triangle_file_unpack(const triangle_file *file, triangle_block *block, float
     const tribox_status status = tribox_mesh_to_soup(&all, NULL, 0, block->count, NULL, streams, streams + 3, streams + 6);
     return message_status(status);
 }
-
-size_t triangle_file_record(const triangle_file *file) { return formats[file->format].record; }
 
 void triangle_file_close(triangle_file *file)
 {

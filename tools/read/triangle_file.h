@@ -21,11 +21,10 @@ typedef struct triangle_file {
     const char *name; /* for messages */
     FILE *stream;     /* NULL: nothing is open */
     triangle_format format;
-    bool is_sized;        /* a regular file, so that its size confirms `promised` */
-    uint64_t size;        /* bytes; UINT64_MAX where it is unknown */
-    uint64_t promised;    /* triangles that should follow; UINT64_MAX where it is unknown */
-    uint64_t taken;       /* triangles read so far */
-    uint64_t start;       /* where in a regular file the first of them stands */
+    bool is_sized;     /* a regular file, so that its size confirms `promised` */
+    uint64_t size;     /* bytes; UINT64_MAX where it is unknown */
+    uint64_t promised; /* triangles that should follow; UINT64_MAX where it is unknown */
+    uint64_t taken;    /* triangles read so far */
 } triangle_file;
 
 /* Triangles that follow each other in a file. */
@@ -36,6 +35,19 @@ typedef struct triangle_block {
 } triangle_block;
 
 enum { TRIANGLE_BLOCK_BYTES = TRIANGLE_BLOCK * 72 };
+
+/* Each of them: a triangle has `record` bytes, from `start` on, and its numbers, of `number_bytes`, begin at `numbers_at`. */
+typedef struct triangle_layout {
+    const char *word, *ending;
+    unsigned start, record, numbers_at, number_bytes;
+} triangle_layout;
+extern const triangle_layout triangle_layouts[];
+
+/* Turns so many records into the floats or doubles of this machine, in place. */
+void triangles_unpack(triangle_format format, size_t count, unsigned char *bytes);
+
+/* The format by the ending of a name. */
+triangle_format triangle_format_of(const char *path);
 
 /* Reads a format by its name, "stl", "f32" or "f64". Returns an exit_code. */
 int triangle_format_read(const char *text, triangle_format *format);
@@ -61,9 +73,6 @@ int triangle_file_open(const char *path, triangle_format format, triangle_file *
  */
 int triangle_file_find(triangle_file *file, triangle_block *block);
 int triangle_file_unpack(const triangle_file *file, triangle_block *block, float *const streams[9], double *positions);
-
-/* The bytes of a triangle in the file. */
-size_t triangle_file_record(const triangle_file *file);
 
 void triangle_file_close(triangle_file *file);
 
