@@ -21,7 +21,7 @@
 #include "write/voxels.h"
 
 typedef struct merge_request {
-    const char **parts; /* paths, with room for all words */
+    const char *const *parts; /* paths */
     size_t count;
     uint32_t threads;
     result_request result;
@@ -161,9 +161,10 @@ static int check_ids(const merge_request *r, const part *parts)
         return EXIT_CODE_OK;
     if (r->result.options.is_mask)
         return message_failure("%s: has ids, a grid of whole numbers: leave out --vdb-grid", parts[0].path);
-    return volume_holds(format, "ids") ? EXIT_CODE_OK
-                                    : message_failure("%s: has ids, and .%s holds none: write %s, or run the shards without --ids",
-                                                      parts[0].path, format->word, volume_endings("ids").text);
+    return volume_holds(format, "ids")
+               ? EXIT_CODE_OK
+               : message_failure("%s: has ids, and .%s holds none: write %s, or run the shards without --ids", parts[0].path,
+                                 format->word, volume_endings("ids").text);
 }
 
 static int merge(const merge_request *r, part *parts, size_t count)
@@ -229,35 +230,24 @@ static int take(void *context, int which, const char *value)
     merge_request *const r = context;
     if (which == OPTION_THREADS)
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
-    if (which != OPTION_OPERAND)
-        return result_take(&r->result, which, value);
-    r->parts[r->count++] = value;
-    return EXIT_CODE_OK;
+    return which == OPTION_OPERAND ? EXIT_CODE_OK : result_take(&r->result, which, value);
 }
 
-static int check_request(merge_request *r, const options_found *found)
+static int answer(void *request, const options_found *found)
 {
+    merge_request *const r = request;
+    r->parts = found->operands;
+    r->count = found->count;
     if (!r->count)
         return message_usage("no parts given");
     if (!r->result.out_path)
         return message_usage("no output given; give -o FILE");
-    return result_check(&r->result, found, "part", r->parts, r->count);
+    const int code = result_check(&r->result, found, "part", r->parts, r->count);
+    return code ? code : merge_parts(r);
 }
 
 int cmd_merge(int count, char **words)
 {
-    merge_request r = {
-        .parts = malloc((size_t)(count + 1) * sizeof *r.parts), .threads = processors_here(), .result.look = PREVIEW_LOOK_DEFAULT};
-    if (!r.parts)
-        return message_failure("out of memory for %d arguments", count);
-    options_found found;
-    int code = options_read(count, words, options, take, &r, &found);
-    if (!code && found.wants_help)
-        code = output_text(help);
-    else if (!code)
-        code = check_request(&r, &found);
-    if (!code && !found.wants_help)
-        code = merge_parts(&r);
-    free(r.parts);
-    return code;
+    merge_request r = {.threads = processors_here(), .result.look = PREVIEW_LOOK_DEFAULT};
+    return options_answer(&(options_command){help, options, take, answer}, count, words, &r);
 }

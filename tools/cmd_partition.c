@@ -26,7 +26,7 @@
 
 typedef struct partition_request {
     grid_request from;
-    const char **paths; /* meshes, or partitions of one grid; the first is that of `from` */
+    const char *const *paths; /* meshes, or partitions of one grid; the first is that of `from` */
     size_t count;
     uint32_t threads;
     uint64_t memory; /* bytes; 0: a share of what there is */
@@ -281,15 +281,15 @@ static const char help[] = "tribox partition - sort the triangles of a mesh into
                            "  parallel tribox voxelize big.tiles --shard {}/64 -o big.{}.npz ::: $(seq 64)\n"
                            "  tribox merge big.*.npz -o big.npz\n";
 
-enum { OPTION_OUT = GRID_END, OPTION_IDS, OPTION_MEMORY, OPTION_THREADS, OPTION_JSON, OPTION_QUIET };
+enum { OPTION_MEMORY = GRID_END, OPTION_THREADS };
 
 static const option_entry options[] = {GRID_ENTRIES(0),
-                                       [OPTION_OUT] = {"out", 'o', true},
-                                       [OPTION_IDS] = {"ids", 0, false},
                                        [OPTION_MEMORY] = {"memory", 'm', true},
                                        [OPTION_THREADS] = {"threads", 't', true},
-                                       [OPTION_JSON] = {"json", 'j', false},
-                                       [OPTION_QUIET] = {"quiet", 'q', false},
+                                       {"out", 'o', OPTION_NAMES(partition_request, out_path)},
+                                       {"ids", 0, OPTION_SETS(partition_request, has_ids)},
+                                       {"json", 'j', OPTION_SETS(partition_request, wants_json)},
+                                       {"quiet", 'q', OPTION_SETS(partition_request, is_quiet)},
                                        {NULL, 0, false}};
 
 static int take(void *request, int which, const char *value)
@@ -297,26 +297,12 @@ static int take(void *request, int which, const char *value)
     partition_request *const r = request;
     switch (which) {
     case OPTION_OPERAND:
-        r->from.mesh_path = r->count ? r->from.mesh_path : value;
-        r->paths[r->count++] = value;
-        return EXIT_CODE_OK;
-    case OPTION_OUT:
-        r->out_path = value;
-        return EXIT_CODE_OK;
-    case OPTION_IDS:
-        r->has_ids = true;
         return EXIT_CODE_OK;
     case OPTION_MEMORY:
         return memory_read(value, &r->memory) ? EXIT_CODE_OK
                                               : message_usage("--memory: '%s' is no size, such as 512M or 1G", value);
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
-    case OPTION_JSON:
-        r->wants_json = true;
-        return EXIT_CODE_OK;
-    case OPTION_QUIET:
-        r->is_quiet = true;
-        return EXIT_CODE_OK;
     default:
         return grid_take(&r->from, which, value);
     }
@@ -348,8 +334,12 @@ static int check_input(const partition_request *r, const options_found *found)
     return is_folder ? check_partitions(r, found) : grid_check(&r->from, found, 0);
 }
 
-static int check_request(const partition_request *r, const options_found *found)
+static int answer(void *request, const options_found *found)
 {
+    partition_request *const r = request;
+    r->paths = found->operands;
+    r->count = found->count;
+    r->from.mesh_path = r->count ? r->paths[0] : NULL;
     const int code = check_input(r, found);
     if (code)
         return code;
@@ -359,20 +349,11 @@ static int check_request(const partition_request *r, const options_found *found)
         return message_usage("-o: '%s' is not the name of a folder", r->out_path);
     if (r->wants_json && r->is_quiet)
         return message_usage("--json and --quiet exclude each other");
-    return EXIT_CODE_OK;
+    return partition_work(r);
 }
 
 int cmd_partition(int count, char **words)
 {
-    partition_request r = {.paths = malloc((size_t)(count + 1) * sizeof *r.paths), .threads = processors_here()};
-    if (!r.paths)
-        return message_failure("out of memory for %d arguments", count);
-    options_found found;
-    int code = options_read(count, words, options, take, &r, &found);
-    if (!code && !found.wants_help)
-        code = check_request(&r, &found);
-    if (!code)
-        code = found.wants_help ? output_text(help) : partition_work(&r);
-    free(r.paths);
-    return code;
+    partition_request r = {.threads = processors_here()};
+    return options_answer(&(options_command){help, options, take, answer}, count, words, &r);
 }

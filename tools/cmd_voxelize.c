@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "console/message.h"
@@ -103,8 +102,6 @@ static int take(void *request, int which, const char *value)
     voxelize_request *const r = request;
     switch (which) {
     case OPTION_OPERAND:
-        r->from.mesh_path = r->count ? r->from.mesh_path : value;
-        r->paths[r->count++] = value;
         return EXIT_CODE_OK;
     case OPTION_FILL:
         return read_fill(value, &r->fill);
@@ -257,6 +254,9 @@ static int check_conflicts(const voxelize_request *r, const options_found *found
 static int answer(void *request, const options_found *found)
 {
     voxelize_request *const r = request;
+    r->paths = found->operands;
+    r->count = found->count;
+    r->from.mesh_path = r->count ? r->paths[0] : NULL;
     int code = check_input(r, found);
     if (!code)
         code = check_conflicts(r, found);
@@ -272,14 +272,6 @@ static int answer(void *request, const options_found *found)
 
 int cmd_voxelize(int count, char **words)
 {
-    voxelize_request r = {.paths = malloc((size_t)(count + 1) * sizeof *r.paths),
-                          .threads = processors_here(),
-                          .shard = 1,
-                          .shards = 1,
-                          .result.look = PREVIEW_LOOK_DEFAULT};
-    if (!r.paths)
-        return message_failure("out of memory for %d arguments", count);
-    const int code = options_answer(&(options_command){help, options, take, answer}, count, words, &r);
-    free(r.paths);
-    return code;
+    voxelize_request r = {.threads = processors_here(), .shard = 1, .shards = 1, .result.look = PREVIEW_LOOK_DEFAULT};
+    return options_answer(&(options_command){help, options, take, answer}, count, words, &r);
 }

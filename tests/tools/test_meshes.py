@@ -345,7 +345,7 @@ class Bad(harness.TestCase):
     def test_part_is_damaged(self):
         mesh = self.write("scene.gltf", "{}")
         self.write("tribox_assimp.so", "no library\n")
-        self.fail_with(1, "scene.gltf: not a file of .ply, .*, and what reads others cannot be loaded: .*tribox_assimp.so", "overlap",
+        self.fail_with(1, "scene.gltf: not a file of .*, and what reads others cannot be loaded: .*tribox_assimp.so", "overlap",
                        mesh, "--box", UNIT_BOX, env={"LD_LIBRARY_PATH": self.folder})
 
     def test_cut(self):

@@ -99,10 +99,15 @@ static int take_option(const option_entry *table, int i, option_take *take, void
     return EXIT_CODE_OK;
 }
 
+/* The words before it have been read. */
+static int take_operand(char **words, char *operand, option_take *take, void *request, options_found *found)
+{
+    words[1 + found->count++] = operand;
+    return take(request, OPTION_OPERAND, operand);
+}
+
 static int take_one(const option_entry *table, int number, const char *word, option_take *take, void *request, options_found *found)
 {
-    if (number == OPERAND)
-        return take(request, OPTION_OPERAND, optarg);
     const int i = option_of(table, number);
     if (options_has(found, i))
         return refuse_option(table, number, "is given twice");
@@ -116,18 +121,19 @@ int options_read(int count, char **words, const option_entry *table, option_take
 {
     getopt_tables tables;
     int code = EXIT_CODE_OK, number;
-    *found = (options_found){.seen = 0};
+    *found = (options_found){.operands = (const char *const *)(words + 1)};
     make_tables(table, &tables);
     optind = 0; /* begin afresh, even after an earlier call */
     while (!code && (number = getopt_long(count, words, tables.letters, tables.names, NULL)) != -1) {
         found->wants_help = number == 'h';
         if (found->wants_help)
             return EXIT_CODE_OK;
-        code = number == '?'   ? refuse_unknown(table, optopt, words[optind - 1])
-               : number == ':' ? refuse_value(table, optopt)
-                               : take_one(table, number, words[optind - 1], take, request, found);
+        code = number == '?'       ? refuse_unknown(table, optopt, words[optind - 1])
+               : number == ':'     ? refuse_value(table, optopt)
+               : number == OPERAND ? take_operand(words, optarg, take, request, found)
+                                   : take_one(table, number, words[optind - 1], take, request, found);
     }
     for (; !code && optind < count; optind++)
-        code = take(request, OPTION_OPERAND, words[optind]);
+        code = take_operand(words, words[optind], take, request, found);
     return code;
 }

@@ -26,8 +26,10 @@ enum { OPTION_OPERAND = -1 };
 typedef int option_take(void *request, int which, const char *value);
 
 typedef struct options_found {
-    uint64_t seen;   /* bit i: option i of the table was given */
-    bool wants_help; /* --help or -h was met, which ends the reading */
+    uint64_t seen;               /* bit i: option i of the table was given */
+    bool wants_help;             /* --help or -h was met, which ends the reading */
+    const char *const *operands; /* `count` of them, in the place of the words, which are gone */
+    size_t count;
 } options_found;
 
 /*

@@ -11,8 +11,8 @@
 #include "write/file_out.h"
 
 typedef struct voxelize_request {
-    grid_request from;  /* the mesh may be a partition, which has its grid */
-    const char **paths; /* of it, or of several partitions: `count` */
+    grid_request from;        /* the mesh may be a partition, which has its grid */
+    const char *const *paths; /* of it, or of several partitions: `count` */
     size_t count;
     uint32_t threads;
     bool is_count;          /* nothing is written */
