@@ -19,6 +19,7 @@ submit() { sbatch --parsable --kill-on-invalid-dep=yes --output="$jobs/%x.%a.log
 sort=$(submit --job-name=sort --wrap='test -e "$jobs/tiles" || tribox partition "$mesh" -r "$resolution" $ids -q -o "$jobs/tiles"')
 # shellcheck disable=SC2016
 each=$(submit --job-name=voxelize --array="1-$n" --dependency="afterok:$sort" --wrap='part=$jobs/$SLURM_ARRAY_TASK_ID.npz
-    test -e "$part" || tribox voxelize "$jobs/tiles" $ids --shard "$SLURM_ARRAY_TASK_ID/$n" -t "${SLURM_CPUS_PER_TASK:-1}" -q -o "$part"')
+    test -e "$part" || tribox voxelize "$jobs/tiles" $ids --shard "$SLURM_ARRAY_TASK_ID/$n" \
+        -t "${SLURM_CPUS_PER_TASK:-1}" -q -o "$part"')
 # shellcheck disable=SC2016
 submit --job-name=merge --dependency="afterok:$each" --wrap='tribox merge "$jobs"/*.npz -q -o "$out" && rm -r "$jobs"'

@@ -22,8 +22,8 @@ tribox_overlap tribox_overlap_oriented tribox_find tribox_classify tribox_split
 tribox_mesh_overlap tribox_mesh_overlap_oriented tribox_mesh_find tribox_mesh_classify tribox_mesh_split
 tribox_index_bytes tribox_index_build tribox_index_update tribox_index_overlap tribox_index_words tribox_index_list tribox_index_any
 tribox_soup_sort tribox_soup_gather tribox_mesh_sort
-tribox_grid_cell tribox_voxelize tribox_voxelize_ids tribox_tile_lists tribox_cell_lists tribox_bricks_bytes tribox_bricks sink_taker
-tribox_bricks_lists_bytes tribox_bricks_lists tribox_mesh_bricks_lists lists_taker
+tribox_grid_cell tribox_voxelize tribox_voxelize_ids tribox_tile_lists tribox_cell_lists tribox_bricks_bytes tribox_bricks
+sink_taker tribox_bricks_lists_bytes tribox_bricks_lists tribox_mesh_bricks_lists lists_taker
 tribox_mesh_voxelize tribox_mesh_voxelize_ids tribox_mesh_tile_lists tribox_mesh_cell_lists tribox_mesh_bricks
 tribox_voxelize_thin tribox_mesh_voxelize_thin tribox_fill_bytes tribox_fill_outside tribox_fill_parity tribox_mesh_fill_parity
 END
@@ -48,8 +48,9 @@ END
 
 # One object a source, as many at once as there are processors.
 xargs -P "$(nproc)" -L 1 sh -c '
-    cd "$1/src" && $3 -std=c11 -msimd128 $(sed -n s/^all://p kernels.txt) -fvisibility=hidden -ffunction-sections -Wall -Wextra -Werror \
-        -DTRIBOX_WASM128 -DTRIBOX_SMALL -I../include -I. "$5" -c "$6" -o "$2/$4"' sh "$root" "$work" "$cc" <"$work/sources"
+    cd "$1/src" && $3 -std=c11 -msimd128 $(sed -n s/^all://p kernels.txt) -fvisibility=hidden -ffunction-sections \
+        -Wall -Wextra -Werror -DTRIBOX_WASM128 -DTRIBOX_SMALL \
+        -I../include -I. "$5" -c "$6" -o "$2/$4"' sh "$root" "$work" "$cc" <"$work/sources"
 
 # The stack lies first, where an overflow meets the end of the memory and not data.
 $cc -nostartfiles -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,--compress-relocations -Wl,-O2 -Wl,--stack-first \

@@ -70,7 +70,8 @@ function fetched(url) {
 
 async function compiled(response) {
     if (!response.ok)
-        throw new TriboxError(`${response.url} answers ${response.status} ${response.statusText}: serve tribox.wasm there, or give ` +
+        throw new TriboxError(`${response.url} answers ${response.status} ${response.statusText}: serve tribox.wasm there, ` +
+            `or give ` +
             'load() its address or its bytes');
     if (response.headers.get('content-type') === 'application/wasm')
         return WebAssembly.compileStreaming(response);

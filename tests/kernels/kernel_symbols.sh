@@ -15,7 +15,8 @@ nm=$1 objdump=$2 kernel=$3 library=$4
     END { judge(); if (!object) { print "no objects"; status = 1 } exit status }' >&2
 
 # Its own tables alone: what a text leaves to others is handed in, as a pointer or in a list.
-calls=$("$nm" --undefined-only "$library" | awk -v kernel="$kernel" '$2 ~ /^tribox_/ && $2 !~ "^tribox_[a-z]+_" kernel "$" { print $2 }')
+calls=$("$nm" --undefined-only "$library" |
+    awk -v kernel="$kernel" '$2 ~ /^tribox_/ && $2 !~ "^tribox_[a-z]+_" kernel "$" { print $2 }')
 if test -n "$calls"; then
     echo "$kernel: a kernel text calls $calls; let the caller hand it in (tribox_voxel_handlers) or drain a list" >&2
     exit 1

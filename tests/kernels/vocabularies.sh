@@ -1,5 +1,5 @@
 #!/bin/sh
-# Every vocabulary has the words of its one-lane definition, no more and no fewer, and each word is tested: vocabularies.sh SRC TEST...
+# Every vocabulary has the words of its one-lane definition, and each word is tested: vocabularies.sh SRC TEST...
 set -eu
 src=$1 status=0
 shift

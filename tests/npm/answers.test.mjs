@@ -71,7 +71,8 @@ function cellsOfBricks(triangles, grid, tiles, options) {
         assert.ok(bits.some((word) => word));
         for (let c = 0; c < 512; c++)
             if (bits[c >> 5] >>> (c & 31) & 1)
-                found.push([[c & 7, c >> 3 & 7, c >> 6].map((place, a) => 8 * at[a] + place), numbers?.slice(begins[c], begins[c + 1])]);
+                found.push([[c & 7, c >> 3 & 7, c >> 6].map((place, a) => 8 * at[a] + place),
+                    numbers?.slice(begins[c], begins[c + 1])]);
             else
                 assert.equal(begins?.[c], begins?.[c + 1]);
     }, options);
@@ -82,7 +83,8 @@ function cellsOfBricks(triangles, grid, tiles, options) {
 /** The words of a grid that bricks set. */
 function wordsOfBricks(triangles, grid, tiles) {
     const { size } = grid, row = 64 * Math.ceil(size[0] / 64);
-    return wordsOf(cellsOfBricks(triangles, grid, tiles).map(([[i, j, k]]) => (k * size[1] + j) * row + i), row * size[1] * size[2]);
+    return wordsOf(cellsOfBricks(triangles, grid, tiles).map(([[i, j, k]]) => (k * size[1] + j) * row + i),
+        row * size[1] * size[2]);
 }
 
 /** Triangles of the cells of a window, of bricks with lists. */
@@ -108,7 +110,8 @@ const ways = [
     ['axes7', ({ index, box }) => index.classify(box).mask.words],
     ['axes7', ({ index, box, count }) => wordsOf(index.list(box), count)],
     ['axes7', ({ sorted, box, count }) => wordsOf(sorted.index.list(box, { ids: true }), count)],
-    ['axes7', ({ sorted, box, count }) => wordsOf(sorted.triangles.overlap(box).mask.list().map((i) => sorted.triangles.ids[i]), count)],
+    ['axes7', ({ sorted, box, count }) =>
+        wordsOf(sorted.triangles.overlap(box).mask.list().map((i) => sorted.triangles.ids[i]), count)],
     ['list', ({ triangles, box }) => triangles.overlap(box).mask.list()],
     ['list', ({ triangles, box, count }) => range(count).filter((i) => triangles.overlap(box).mask.has(i)), 7],
     ['list', ({ index, box }) => index.list(box)],
@@ -169,7 +172,8 @@ function aboutOf(question, { make, mesh }) {
     const [numbers, oriented, grid] = [question.box, question.oriented, question.grid].map(doubles);
     const box = { lo: numbers.slice(0, 3), hi: numbers.slice(3, 6) };
     return {
-        triangles, index: triangles.index(), sorted: { triangles: made, index: made.index() }, box, count: triangles.length, middle: [box.lo[0], box.hi[1], box.lo[2]],
+        triangles, index: triangles.index(), sorted: { triangles: made, index: made.index() }, box, count: triangles.length,
+        middle: [box.lo[0], box.hi[1], box.lo[2]],
         grid: { origin: grid.slice(0, 3), cell: grid.slice(3, 6), size: question.grid.slice(12, 15) },
         oriented: { center: oriented.slice(0, 3), half: oriented.slice(3, 6),
             axis: [6, 9, 12].map((at) => oriented.slice(at, at + 3)) },
@@ -207,7 +211,8 @@ test('every way to ask', () => eachForm((about, expected, what) => {
         assert.throws(() => about.voxels(), RangeError, what);
 }));
 
-test('conservative never misses, and fast errs on few ordinary triangles', () => eachForm(({ triangles, box, expected }, { axes7 }, what) => {
+test('conservative never misses, and fast errs on few ordinary triangles', () => eachForm(
+    ({ triangles, box, expected }, { axes7 }, what) => {
     const [more, fast] = ['conservative', 'fast'].map((accuracy) => triangles.overlap(box, { accuracy }).mask.words);
     axes7.forEach((word, k) => assert.equal(word & ~more[k], 0, what));
     if (!expected.isDouble && (expected.scene === 'paper' || expected.scene === 'eighths'))

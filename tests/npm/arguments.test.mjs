@@ -1,4 +1,4 @@
-// arguments.test.mjs - every bad argument is refused by a line that says which it is, what is wrong and what to do; nothing changes.
+// arguments.test.mjs - bad arguments are refused by a line that says which one, what is wrong and what to do; nothing changes.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { load, middleBox as box, randomPositions, TriboxError } from './package_under_test.mjs';
@@ -40,14 +40,16 @@ const wrong = {
     'options': [
         [() => soup.overlap(box, 7), TypeError, /^options = 7: give an object/],
         [() => soup.overlap(box, null), TypeError, /^options = null: give an object/],
-        [() => soup.overlap(box, { acuracy: 'fast' }), TypeError, /^options\.acuracy is unknown; there are accuracy, axes, axisOrder, into$/],
+        [() => soup.overlap(box, { acuracy: 'fast' }), TypeError,
+            /^options\.acuracy is unknown; there are accuracy, axes, axisOrder, into$/],
         [() => soup.count(box, { into: mask }), TypeError, /^options\.into is unknown; there are accuracy, axes, axisOrder$/],
         [() => index.list(box, { id: true }), TypeError, /^options\.id is unknown; there are accuracy, axes, axisOrder, ids$/],
         [() => soup.overlap(box, { accuracy: 'Exact' }), RangeError, /^options\.accuracy = "Exact": give one of "exact", "cons/],
         [() => soup.overlap(box, { accuracy: 0 }), RangeError, /^options\.accuracy = 0: give one of/],
         [() => soup.overlap(box, { axes: 'box' }), TypeError, /^options\.axes = "box": give a list of groups/],
         [() => soup.overlap(box, { axes: [] }), TypeError, /^options\.axes = \[\]: give a list of groups/],
-        [() => soup.overlap(box, { axes: ['box', 'edge'] }), RangeError, /^options\.axes = "edge": give one of "box", "plane", "edges"/],
+        [() => soup.overlap(box, { axes: ['box', 'edge'] }), RangeError,
+            /^options\.axes = "edge": give one of "box", "plane", "edges"/],
         [() => soup.overlap(box, { axes: ['toString'] }), RangeError, /^options\.axes = "toString": give one of/],
         [() => soup.overlap(box, { axisOrder: 111 }), RangeError, /^options\.axisOrder = 111: give one of 123, 132/],
         [() => soup.overlap(box, { axisOrder: '123' }), RangeError, /^options\.axisOrder = "123": give one of/],
@@ -58,21 +60,28 @@ const wrong = {
         [() => mesh.split(box, { list: [5, 100] }), RangeError, /^options\.list\[1\] = 100: give a whole number from 0 to 99/],
         [() => soup.split(oriented), TypeError, /^box is oriented/],
         [() => index.overlap(box, { axes: ['plane'] }), RangeError, /^options\.axes: .*index.*'box'/],
-        [() => soup.overlap(box, { into: new Uint32Array(4) }), TypeError, /^options\.into: give a mask that tribox\.mask\(100\) made/],
+        [() => soup.overlap(box, { into: new Uint32Array(4) }), TypeError,
+            /^options\.into: give a mask that tribox\.mask\(100\) made/],
         [() => soup.overlap(box, { into: tribox.mask(99) }), RangeError, /^options\.into has 99 bits: give one of 100/],
         [() => soup.overlap(box, { into: soup.overlap(box).mask }), TypeError, /^options\.into is not in the memory/],
         [() => soup.classify(box, { insideInto: tribox.mask(101) }), RangeError, /^options\.insideInto has 101 bits/],
-        [() => soup.classify(box, { into: mask, insideInto: mask }), TypeError, /^options\.insideInto is the mask of options\.into/],
+        [() => soup.classify(box, { into: mask, insideInto: mask }), TypeError,
+            /^options\.insideInto is the mask of options\.into/],
     ],
     'soups and meshes': [
         [() => tribox.soup(), TypeError, /^mesh = undefined: give \{positions, indices\}/],
         [() => tribox.soup(positions), TypeError, /^mesh\.positions = undefined: give a Float32Array/],
         [() => tribox.soup({ positions: [1, 2, 3] }), TypeError, /^mesh\.positions = \[1, 2, 3\]: give a Float32Array/],
-        [() => tribox.soup({ positions: new Float64Array(9) }), TypeError, /a Float64Array of 9: a soup has floats; mesh\(\) takes/],
-        [() => tribox.mesh({ positions: new Int32Array(9) }), TypeError, /an? Int32Array of 9: give a Float64Array or a Float32Array/],
-        [() => tribox.soup({ positions: new Float32Array(12) }), RangeError, /^mesh\.positions has 12 numbers: give nine a triangle/],
-        [() => tribox.soup({ positions: new Float32Array(10) }), RangeError, /^mesh\.positions has 10 numbers: give nine a triangle/],
-        [() => tribox.soup({ positions: new Float32Array(10), indices: new Uint32Array(3) }), RangeError, /10 numbers: give three a vert/],
+        [() => tribox.soup({ positions: new Float64Array(9) }), TypeError,
+            /a Float64Array of 9: a soup has floats; mesh\(\) takes/],
+        [() => tribox.mesh({ positions: new Int32Array(9) }), TypeError,
+            /an? Int32Array of 9: give a Float64Array or a Float32Array/],
+        [() => tribox.soup({ positions: new Float32Array(12) }), RangeError,
+            /^mesh\.positions has 12 numbers: give nine a triangle/],
+        [() => tribox.soup({ positions: new Float32Array(10) }), RangeError,
+            /^mesh\.positions has 10 numbers: give nine a triangle/],
+        [() => tribox.soup({ positions: new Float32Array(10), indices: new Uint32Array(3) }), RangeError,
+            /10 numbers: give three a vert/],
         [() => tribox.soup({ positions, indices: [0, 1, 2] }), TypeError, /^mesh\.indices = \[0, 1, 2\]: give a Uint32Array or a/],
         [() => tribox.soup({ positions, indices: new Int32Array(3) }), TypeError, /^mesh\.indices = an? Int32Array of 3: give/],
         [() => tribox.soup({ positions, indices: new Uint32Array(4) }), RangeError, /^mesh\.indices has 4 numbers: give three/],
@@ -92,7 +101,8 @@ const wrong = {
         [() => voxels.box(4, 0, 0), RangeError, /^i = 4: give/],
         [() => index.update(101), RangeError, /^first = 101: give a whole number from 0 to 100/],
         [() => index.update(50, 51), RangeError, /^count = 51: give a whole number from 0 to 50, so that first \+ count is within/],
-        [() => soup.tileLists(grid, { side: 1, first: 60, count: 5 }), RangeError, /^tiles\.count = 5: give a whole number from 0 to 4/],
+        [() => soup.tileLists(grid, { side: 1, first: 60, count: 5 }), RangeError,
+            /^tiles\.count = 5: give a whole number from 0 to 4/],
         [() => soup.tileLists(grid, { side: 1, first: 65 }), RangeError, /^tiles\.first = 65: give/],
     ],
     'grids': [
@@ -108,16 +118,19 @@ const wrong = {
         [() => soup.voxelize({ ...grid, cell: -0 }), RangeError, /^grid\.cell = -0: give lengths greater than 0/],
         [() => tribox.voxels({ ...grid, size: [4, 0, 4] }), RangeError, /^grid\.size\[1\] = 0: give a whole number from 1 to/],
         [() => tribox.voxels({ ...grid, size: [4, 4, 2.5] }), RangeError, /^grid\.size\[2\] = 2\.5: give a whole number/],
-        [() => soup.voxelize({ ...grid, origin: [1e17, 0, 0] }), RangeError, /^grid: doubles cannot tell its planes apart.*larger cells/],
+        [() => soup.voxelize({ ...grid, origin: [1e17, 0, 0] }), RangeError,
+            /^grid: doubles cannot tell its planes apart.*larger cells/],
         [() => tribox.voxels({ ...grid, cell: 1e308 }), RangeError, /^grid: .*beyond the largest/],
         [() => soup.voxelize(grid, { into: mask }), TypeError, /^options\.into: give voxels that tribox\.voxels\(grid\) made/],
         [() => soup.voxelize({ ...grid, cell: 2 }, { into: voxels }), RangeError, /^options\.into has another grid or window/],
-        [() => soup.voxelize(grid, { into: voxels, window: { first: [1, 0, 0], size: [3, 4, 4] } }), RangeError, /^options\.into has another/],
+        [() => soup.voxelize(grid, { into: voxels, window: { first: [1, 0, 0], size: [3, 4, 4] } }), RangeError,
+            /^options\.into has another/],
         [() => soup.voxelize(grid, { into: tribox.voxels(grid, { first: [1, 0, 0], size: [3, 4, 4] }), window: { first: [0, 0, 0],
             size: [3, 4, 4] } }), RangeError, /^options\.into has another/],
         [() => soup.voxelize(grid, { window: 3 }), TypeError, /^window = 3: give \{first: /],
         [() => soup.voxelize(grid, { window: { first: [0, 5, 0], size: [1, 1, 1] } }), RangeError, /^window\.first\[1\] = 5: give/],
-        [() => tribox.voxels(grid, { first: [0, 0, 1], size: [4, 4, 4] }), RangeError, /^window\.size\[2\] = 4: give .* to 3, so that/],
+        [() => tribox.voxels(grid, { first: [0, 0, 1], size: [4, 4, 4] }), RangeError,
+            /^window\.size\[2\] = 4: give .* to 3, so that/],
         [() => soup.voxelize({ cell: 1e-30 }), RangeError, /^grid: it would have more than 2\^32 cells/],
         [() => tribox.gridAround(box, grid), TypeError, /^grid = an object with origin, cell, size: give \{resolution\} or/],
         [() => soup.voxelize(grid, { into: soup.voxelize(grid) }), TypeError, /^options\.into is not in the memory/],
@@ -175,7 +188,8 @@ test('boxes in other words are the same box', () => {
     ])
         assert.deepEqual(soup.overlap(same).mask.words, words);
     assert.equal(soup.count({ lo: [1, 0, 0], hi: [-1, 1, 1] }), 0, 'the empty box');
-    assert.equal(soup.overlap(box, { accuracy: undefined, axes: undefined, axisOrder: undefined, into: undefined }).mask.length, 100);
+    const none = { accuracy: undefined, axes: undefined, axisOrder: undefined, into: undefined };
+    assert.equal(soup.overlap(box, none).mask.length, 100);
 });
 
 test('boxes are not rounded', () => {

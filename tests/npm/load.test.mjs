@@ -40,7 +40,8 @@ test('loads from a file, bytes, a module, a response', async () => {
     const slice = new Uint8Array(bytes.length + 8);
     slice.set(bytes, 8);
     for (const source of [pathToFileURL(file), pathToFileURL(file).href, bytes, Uint8Array.from(bytes).buffer, slice.subarray(8),
-        new DataView(slice.buffer, 8), new WebAssembly.Module(bytes), ofType('application/wasm'), ofType('application/octet-stream'),
+        new DataView(slice.buffer, 8), new WebAssembly.Module(bytes), ofType('application/wasm'),
+        ofType('application/octet-stream'),
         Promise.resolve(ofType('application/wasm')), undefined])
         assert.deepEqual(await answers(source), expected);
 });
@@ -49,16 +50,21 @@ test('loads from a server', () => serving(async (address) => {
     assert.deepEqual(await answers(`${address}/tribox.wasm`), expected);
     assert.deepEqual(await answers(new URL('tribox.wasm', address)), expected);
     assert.deepEqual(await answers(fetch(`${address}/tribox.wasm`)), expected);
-    await assert.rejects(load(`${address}/other.wasm`), { name: 'TriboxError', message: /other\.wasm answers 404 Not Found: serve tribox/ });
+    await assert.rejects(load(`${address}/other.wasm`), { name: 'TriboxError',
+        message: /other\.wasm answers 404 Not Found: serve tribox/ });
 }));
 
 test('says what it cannot load', async () => {
     for (const source of [7, {}, null, [], true])
-        await assert.rejects(load(source), { name: 'TypeError', message: /^source = .*: give an address, a Response, bytes or a WebAss/ });
+        await assert.rejects(load(source), { name: 'TypeError',
+            message: /^source = .*: give an address, a Response, bytes or a WebAss/ });
     for (const address of ['tribox.wasm', './parts/tribox.wasm', file, ''])
-        await assert.rejects(load(address), { name: 'TypeError', message: /^source = ".*" is no whole address: give a file: URL or/ });
-    for (const broken of [new Uint8Array(), bytes.subarray(0, 9999), Uint8Array.of(0, 1, 2, 3), ofType('application/wasm', 'hello')])
-        await assert.rejects(load(broken), (error) => error instanceof TriboxError && /^tribox\.wasm does not compile: .*SIMD/.test(error.message)
+        await assert.rejects(load(address), { name: 'TypeError',
+            message: /^source = ".*" is no whole address: give a file: URL or/ });
+    for (const broken of [new Uint8Array(), bytes.subarray(0, 9999), Uint8Array.of(0, 1, 2, 3),
+        ofType('application/wasm', 'hello')])
+        await assert.rejects(load(broken), (error) => error instanceof TriboxError &&
+            /^tribox\.wasm does not compile: .*SIMD/.test(error.message)
             && error.cause instanceof WebAssembly.CompileError);
     const empty = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
     await assert.rejects(load(empty), { name: 'TriboxError', message: /^source is another WebAssembly module/ });

@@ -77,8 +77,10 @@ test('views that died are refused', async () => {
     grow(tribox);
     structuredClone(indices, { transfer: [indices.buffer] });
     for (const make of ['soup', 'mesh']) {
-        assert.throws(() => tribox[make]({ positions: view }), { name: 'TypeError', message: /^mesh\.positions is a view of a memo/ });
-        assert.throws(() => tribox[make]({ positions, indices }), { name: 'TypeError', message: /^mesh\.indices is a view of a memory/ });
+        assert.throws(() => tribox[make]({ positions: view }), { name: 'TypeError',
+            message: /^mesh\.positions is a view of a memo/ });
+        assert.throws(() => tribox[make]({ positions, indices }), { name: 'TypeError',
+            message: /^mesh\.indices is a view of a memory/ });
     }
 });
 
@@ -115,7 +117,8 @@ test('voxels in the memory accumulate', async () => {
 });
 
 test('voxels in the memory are filled, though it grows for that', async () => {
-    const tribox = await load(), soup = tribox.soup({ positions }), fine = { origin: [-2, -2, -2], cell: 1 / 64, size: [256, 256, 256] };
+    const tribox = await load(), soup = tribox.soup({ positions }),
+        fine = { origin: [-2, -2, -2], cell: 1 / 64, size: [256, 256, 256] };
     const into = soup.voxelize(fine, { into: tribox.voxels(fine) }), own = soup.voxelize(fine), bytes = bytesOf(tribox);
     const { solid, inside } = into.fillOutside();
     assert.ok(bytesOf(tribox) > bytes);
@@ -170,7 +173,8 @@ test('a brick after another', async () => {
 });
 
 test('bounds leave out triangles that are not finite', async () => {
-    const tribox = await load(), three = Float32Array.of(0, 1, 2, 3, 4, 5, 6, 7, 8, -90, 1, 1, 1, NaN, 1, 1, 1, 1, 9, 9, 9, 9, 9, -Infinity, 9, 99, 9);
+    const tribox = await load(), three = Float32Array.of(
+        0, 1, 2, 3, 4, 5, 6, 7, 8, -90, 1, 1, 1, NaN, 1, 1, 1, 1, 9, 9, 9, 9, 9, -Infinity, 9, 99, 9);
     assert.deepEqual(tribox.soup({ positions: three }).bounds(), { lo: [0, 1, 2], hi: [6, 7, 8] });
     assert.equal(tribox.soup({ positions: three.subarray(9) }).bounds(), null);
     assert.throws(() => tribox.soup({ positions: three.subarray(9) }).voxelize({ resolution: 3 }), RangeError);
@@ -192,7 +196,8 @@ test('nothing at all is a soup, a mesh, a mask', async () => {
     assert.deepEqual(mesh.bricks(grid, { side: 8 }, assert.fail).overlapping, 0);
     assert.equal(mesh.voxelize(grid, { window: { first: [8, 0, 0], size: [0, 4, 4] } }).fillOutside().inside, 0);
     assert.equal(index.list(middleBox).length, 0);
-    assert.deepEqual([...index.lists([]).starts, ...soup.cellLists(grid, { window: { first: [8, 8, 8], size: [0, 0, 0] } }).starts], [0, 0]);
+    const none = { window: { first: [8, 8, 8], size: [0, 0, 0] } };
+    assert.deepEqual([...index.lists([]).starts, ...soup.cellLists(grid, none).starts], [0, 0]);
     assert.deepEqual([soup.voxelize(grid).count(), soup.voxelize(grid).ids], [0, null]);
     assert.equal(tribox.mask(0).list().length, 0);
 });
@@ -200,7 +205,8 @@ test('nothing at all is a soup, a mesh, a mask', async () => {
 test('soups and grids of every small size', async () => {
     const tribox = await load(), all = Array.from(tribox.soup({ positions }).overlap(middleBox).mask.list());
     for (const length of [...Array(67).keys()].slice(1).concat(95, 96, 97, 127, 128, 129, 192, 193)) {
-        const soup = tribox.soup({ positions: positions.subarray(0, 9 * length) }), index = soup.index(), into = tribox.mask(length);
+        const soup = tribox.soup({ positions: positions.subarray(0, 9 * length) }), index = soup.index(),
+            into = tribox.mask(length);
         const expected = all.filter((i) => i < length), mesh = tribox.mesh({ positions: positions.subarray(0, 9 * length) });
         for (const asked of [soup, index, mesh]) {
             const { mask } = asked.overlap(middleBox), { insideMask } = asked.classify(middleBox, { into });
@@ -237,7 +243,8 @@ test('an index is brought up to date', async () => {
 /** An instance with one of each thing in its memory. */
 async function furnished() {
     const tribox = await load(), soup = tribox.soup({ positions }, { sort: true });
-    return { tribox, soup, index: soup.index(), mesh: tribox.mesh({ positions }), mask: tribox.mask(COUNT), voxels: tribox.voxels(grid) };
+    return { tribox, soup, index: soup.index(), mesh: tribox.mesh({ positions }), mask: tribox.mask(COUNT),
+        voxels: tribox.voxels(grid) };
 }
 
 /** Calls of each that take memory, and others; those of an index need its soup. */
@@ -246,15 +253,18 @@ const taking = {
         ({ tribox }) => tribox.allocSoup(COUNT), ({ tribox }) => tribox.mesh({ positions }), ({ tribox }) => tribox.mask(COUNT),
         ({ tribox }) => tribox.mesh({ positions }, { sort: true }), ({ tribox }) => tribox.voxels(grid)],
     soup: [({ soup }) => soup.overlap(middleBox), ({ soup }) => soup.overlap(oriented), ({ soup }) => soup.classify(middleBox),
-        ({ soup }) => soup.voxelize(grid), ({ soup }) => soup.voxelize({ resolution: 5 }), ({ soup }) => soup.voxelize(grid, { ids: true }),
+        ({ soup }) => soup.voxelize(grid), ({ soup }) => soup.voxelize({ resolution: 5 }),
+        ({ soup }) => soup.voxelize(grid, { ids: true }),
         ({ soup }) => soup.index(), ({ soup }) => soup.cellLists(grid), ({ soup }) => soup.tileLists(grid, { side: 2 }),
         ({ soup }) => soup.bricks(grid, { side: 8 }, () => false), ({ soup, voxels }) => soup.fillParity(voxels),
-        ({ soup }) => soup.split(middleBox), ({ index }) => index.list(middleBox, { ids: true }), ({ index }) => index.list(oriented),
+        ({ soup }) => soup.split(middleBox), ({ index }) => index.list(middleBox, { ids: true }),
+        ({ index }) => index.list(oriented),
         ({ index }) => index.lists([middleBox]), ({ index }) => index.classify(middleBox), ({ index }) => index.overlap(middleBox)],
     voxels: [({ voxels }) => voxels.fillOutside()],
 };
 const resting = [({ soup }) => soup.x, ({ soup }) => soup.ids, ({ soup }) => soup.address, ({ soup }) => soup.count(oriented),
-    ({ soup }) => soup.find(middleBox), ({ soup }) => soup.bounds(), ({ index }) => index.update(), ({ index }) => index.any(middleBox)];
+    ({ soup }) => soup.find(middleBox), ({ soup }) => soup.bounds(), ({ index }) => index.update(),
+    ({ index }) => index.any(middleBox)];
 
 test('what is freed says so', async () => {
     const all = await furnished(), { tribox, soup, index, mesh, mask, voxels } = all, own = soup.overlap(middleBox).mask;
@@ -327,6 +337,8 @@ test('calls with into take no memory, nor do counts and places', async () => {
         const classes = asked.classify(middleBox, { into, insideInto });
         assert.ok(classes.mask === into && classes.insideMask === insideInto && into.words.buffer === tribox.memory.buffer);
         assert.deepEqual([into.words, insideInto.words, classes.inside, asked.count(middleBox)], expected);
+        asked.classify({ lo: [90, 90, 90], hi: [91, 91, 91] }, { into, insideInto });
+        assert.ok([...into.words, ...insideInto.words].every((word) => word === 0), 'a box beside all of them leaves no bit');
         into.words.fill(~0);
         assert.equal(asked.overlap(middleBox, { into }).overlapping, own.overlapping);
         assert.deepEqual(into.words, own.mask.words);
@@ -353,7 +365,8 @@ test('addresses beyond 2 GiB serve', async () => {
     assert.equal(high.bricks(grid, { side: 8 }, (at) => counted.push(at)).overlapping, voxels.count());
     assert.deepEqual(counted, [[0, 0, 0]]);
     assert.deepEqual(mesh.index().list(oriented), mesh.overlap(oriented).mask.list());
-    assert.deepEqual(Array.from(index.list(middleBox, { ids: true })).sort((i, j) => i - j), Array.from(low.overlap(middleBox).mask.list()));
+    assert.deepEqual(Array.from(index.list(middleBox, { ids: true })).sort((i, j) => i - j),
+        Array.from(low.overlap(middleBox).mask.list()));
     assert.deepEqual(mesh.overlap(middleBox, { into }).mask.words, low.overlap(middleBox).mask.words);
     assert.deepEqual(high.voxelize(grid, { into: tribox.voxels(grid) }).bits, low.voxelize(grid).bits);
     [high, index, into, mesh].forEach((object) => object.free());

@@ -15,7 +15,8 @@ const source = path.join(root, 'packaging/npm');
 const textOf = (...names) => readFileSync(path.join(...names), 'utf8');
 const manifest = JSON.parse(textOf(folder, 'package.json'));
 
-const npm = (cwd, ...words) => execFileSync('npm', [...words, '--offline', '--no-audit', '--no-fund', '--loglevel=error'], { cwd, encoding: 'utf8' });
+const npm = (cwd, ...words) =>
+    execFileSync('npm', [...words, '--offline', '--no-audit', '--no-fund', '--loglevel=error'], { cwd, encoding: 'utf8' });
 
 /** Runs work in an empty folder. */
 async function inFolder(work) {
@@ -103,7 +104,8 @@ test('is described for npm', () => {
 test('packs these files', () => {
     const [{ files }] = JSON.parse(npm(folder, 'pack', '--dry-run', '--json'));
     assert.deepEqual(files.map((file) => file.path).sort(), [
-        'LICENSE', 'README.md', 'package.json', ...readdirSync(path.join(source, 'parts')).map((name) => `parts/${name}`), 'tribox.d.ts',
+        'LICENSE', 'README.md', 'package.json', ...readdirSync(path.join(source, 'parts')).map((name) => `parts/${name}`),
+        'tribox.d.ts',
         'tribox.mjs', 'tribox.wasm'].sort());
     assert.ok(files.every((file) => file.mode === 0o644));
 });
@@ -140,7 +142,8 @@ test('has types that TypeScript takes', () => installed((made) => {
         const compilerOptions = { noEmit: true, strict: true, noUncheckedIndexedAccess: true, types: [], target: 'esnext',
             lib: ['esnext', 'dom'], moduleResolution: way, module: way === 'bundler' ? 'esnext' : way };
         writeFileSync(path.join(made, 'tsconfig.json'), JSON.stringify({ compilerOptions, files: ['types.mts'] }));
-        const ran = spawnSync(process.execPath, [path.join(compiler, 'node_modules/typescript/bin/tsc')], { cwd: made, encoding: 'utf8' });
+        const ran = spawnSync(process.execPath, [path.join(compiler, 'node_modules/typescript/bin/tsc')], {
+            cwd: made, encoding: 'utf8' });
         assert.equal(ran.stdout, '', way);
         assert.equal(ran.status, 0, way);
     }
@@ -149,10 +152,12 @@ test('has types that TypeScript takes', () => installed((made) => {
 test('has what its types say', async () => {
     const typescript = createRequire(path.join(compiler, 'x.js'))('typescript');
     const types = typescript.createSourceFile('tribox.d.ts', textOf(folder, 'tribox.d.ts'), typescript.ScriptTarget.Latest);
-    const membersOf = (name) => types.statements.find((one) => one.name?.text === name).members.map((one) => one.name.text).filter(Boolean);
+    const membersOf = (name) => types.statements.find((one) => one.name?.text === name).members.map((one) => one.name.text)
+        .filter(Boolean);
     const tribox = await load(), soup = tribox.soup({ positions: new Float32Array(9) });
     const made = { Tribox: tribox, Soup: soup, Index: soup.index(), Mesh: tribox.mesh({ positions: new Float64Array(9) }),
-        Mask: tribox.mask(1), Voxels: tribox.voxels({ origin: [0, 0, 0], cell: 1, size: [1, 1, 1] }), Triangles: soup, Classes: soup.classify({
+        Mask: tribox.mask(1), Voxels: tribox.voxels({ origin: [0, 0, 0], cell: 1, size: [1, 1, 1] }), Triangles: soup,
+        Classes: soup.classify({
             lo: [0, 0, 0], hi: [1, 1, 1] }), Overlap: soup.overlap({ lo: [0, 0, 0], hi: [1, 1, 1] }) };
     for (const [name, object] of Object.entries(made)) {
         const members = membersOf(name);

@@ -14,7 +14,8 @@ test "$(uname -m)" = x86_64 || skip 'the record is of x86-64'
 library() {
     tree=$1
     shift
-    printf '%s\n' "$@" | xargs -P 2 -I FILE sh -c 'exec gcc -std=c11 -g -O0 -fPIC -fvisibility=hidden -I"$0/include" -I"$0/src" -c "$1" \
+    printf '%s\n' "$@" |
+        xargs -P 2 -I FILE sh -c 'exec gcc -std=c11 -g -O0 -fPIC -fvisibility=hidden -I"$0/include" -I"$0/src" -c "$1" \
         -o "$2/$(basename "$1").o"' "$tree" FILE "$work"
     gcc -shared -Wl,-soname,libtribox.so.1 "$work"/*.o -o "$work/libtribox.so"
     abidw --headers-dir "$tree/include" --drop-private-types --exported-interfaces-only --no-corpus-path --no-comp-dir-path \

@@ -1,4 +1,4 @@
-# parts.sh - read by the scripts that look at packages: $here, the folder of the script, $work, removed at exit, and what several do.
+# parts.sh - read by the scripts that look at packages: $here, their folder, $work, removed at exit, and what several do.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
@@ -43,7 +43,8 @@ snapshot() {
 build_digests() {
     program=$1 tree=$2 library=$3
     shift 3
-    "$@" -std=c11 $(sed -n s/^all://p "$tree/src/kernels.txt") -I"$tree/include" -I"$tree/src" -I"$tree/tools" -I"$tree/tests" -I"$tree/tests/kernels" \
+    "$@" -std=c11 $(sed -n s/^all://p "$tree/src/kernels.txt") -I"$tree/include" -I"$tree/src" -I"$tree/tools" -I"$tree/tests" \
+        -I"$tree/tests/kernels" \
         "$tree"/tests/cross/masks*.c "$tree/tests/kernels/drawn_pairs.c" "$tree"/tests/doubles/scenes_f64.c \
         "$tree"/tests/common/scenes*.c "$tree/tests/common/arguments.c" \
         "$tree/tests/common/contact.c" "$library" -lm -o "$program"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # What a reader of README.md, BUILD.md and examples/README.md types works: readme.sh example|by-hand ROOT LIBDIR
 #   example  the first C block with a main of each page that has one compiles without a warning and runs
-#   by-hand  the block of BUILD.md with "ar rcs" builds without meson or CMake, on x86-64; the program that it makes runs, and the library has
-#            the kernels of the one in LIBDIR
+#   by-hand  the block of BUILD.md with "ar rcs" builds without meson or CMake, on x86-64; the program that it makes runs, and
+#            the library has the kernels of the one in LIBDIR
 . "$(dirname "$0")/parts.sh"
 what=$1 root=$2 libdir=$3
 

@@ -66,7 +66,8 @@ mkdir bin
 printf '#!/bin/sh\necho "CMake was run" >&2\ntouch "%s"\nexit 1\n' "$work/asked" >bin/cmake
 chmod +x bin/cmake
 for source in "unpacked/$name" another/clone; do
-    PATH=$work/bin:$PATH "$MESON" setup "$source/build" "$source" -Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=0 >log
+    PATH=$work/bin:$PATH "$MESON" setup "$source/build" "$source" -Dtests=disabled -Dbench=disabled -Dtools=disabled \
+        -Doptimization=0 >log
     test ! -e asked || die 'configuring the library runs CMake'
     "$MESON" compile -C "$source/build" >log
 done

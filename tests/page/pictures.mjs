@@ -1,4 +1,5 @@
-// pictures.mjs - pictures of the page, to be looked at, or numbered for a film (examples/web/film.sh): pictures.mjs pictures|film FOLDER
+// pictures.mjs - pictures of the page, to be looked at, or numbered for a film (examples/web/film.sh):
+//   pictures.mjs pictures|film FOLDER
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { settled } from './answer.mjs';

@@ -1,5 +1,5 @@
 #!/bin/sh
-# CMake builds the DLL for Windows as meson does, for a project that adds it or finds it installed; the answers are right under wine:
+# CMake builds the DLL for Windows as meson does, for a project that adds it or finds it installed; answers are right under wine:
 # cmake.sh ROOT FOLDER. Wants $MESON.
 root=$1 folder=$2 package=$1/tests/package
 . "$package/parts.sh"

@@ -13,7 +13,8 @@ done
 ln -s "$root" "$work/root" # clang posing as cl takes a path that begins with /w for an option
 flags="/Od /W4 /WX /GS- /Zl /imsvc $here/msvc/headers"
 test "$how" = clang-cl || flags="$flags /FI$here/msvc/as_cl.h /clang:-ffp-contract=off -Wno-unknown-pragmas"
-cmake -S "$work/root" -B "$work" -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY -DCMAKE_BUILD_TYPE=None \
+cmake -S "$work/root" -B "$work" -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY \
+    -DCMAKE_BUILD_TYPE=None \
     -DCMAKE_C_COMPILER=clang-cl-19 -DCMAKE_AR="$(command -v llvm-lib-19)" -DCMAKE_C_FLAGS="$flags"
 cmake --build "$work" --parallel 2
 

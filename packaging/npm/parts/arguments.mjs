@@ -12,7 +12,8 @@ export function whole(value, name, least, most, advice) {
     if (typeof value !== 'number')
         throw new TypeError(`${name} = ${shown(value)}: give a whole number`);
     if (!Number.isInteger(value) || value < least || value > most)
-        throw new RangeError(`${name} = ${shown(value)}: give a whole number from ${least} to ${most}${advice ? `, ${advice}` : ''}`);
+        throw new RangeError(`${name} = ${shown(value)}: give a whole number from ${least} to ${most}${
+            advice ? `, ${advice}` : ''}`);
     return value;
 }
 
@@ -20,7 +21,8 @@ export function whole(value, name, least, most, advice) {
 export function vector(value, name) {
     let three;
     if (isObject(value))
-        three = typeof value.length === 'number' ? value.length === 3 && [value[0], value[1], value[2]] : [value.x, value.y, value.z];
+        three = typeof value.length === 'number' ? value.length === 3 && [value[0], value[1], value[2]] :
+            [value.x, value.y, value.z];
     if (!three || !three.every((number) => typeof number === 'number'))
         throw new TypeError(`${name} = ${shown(value)}: give three numbers, [x, y, z] or {x, y, z}`);
     return three;

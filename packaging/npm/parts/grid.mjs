@@ -128,5 +128,6 @@ export function checkGrid(memory, grid) {
     const none = memory.window({ first: [0, 0, 0], size: [0, 0, 0] });
     if (memory.exports.tribox_voxelize(memory.emptySoup, memory.grid(grid), none, 0, memory.number, 0))
         throw new RangeError(`grid: doubles cannot tell its planes apart, or it ends beyond the largest of them (origin ${
-            shown(grid.origin)}, cell ${shown(grid.cell)}, size ${shown(grid.size)}); choose larger cells, or move the mesh towards 0`);
+            shown(grid.origin)}, cell ${shown(grid.cell)}, size ${
+            shown(grid.size)}); choose larger cells, or move the mesh towards 0`);
 }

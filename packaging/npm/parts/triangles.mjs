@@ -18,7 +18,8 @@ function triangleNumbers(list, length) {
 
 /** Where the children of a box meet: not outside it, unless it is empty. */
 function middleOf(box, middle) {
-    const numbers = boxNumbers(box), three = finite(middle, 'options.middle'), isEmpty = three.some((_, a) => numbers[a] > numbers[a + 3]);
+    const numbers = boxNumbers(box), three = finite(middle, 'options.middle'),
+        isEmpty = three.some((_, a) => numbers[a] > numbers[a + 3]);
     if (!isEmpty && three.some((number, a) => number < numbers[a] || number > numbers[a + 3]))
         throw new RangeError(`options.middle = ${shown(three)} is outside the box`);
     return three;

@@ -111,7 +111,8 @@ function voxelizeWithIds(memory, triangles, { grid, window, options }) {
         const ids = address + 4 * words;
         memory.words(address, words).fill(0);
         memory.words(ids, cells).fill(2 ** 32 - 1);
-        triangles.call(memory, 'voxelize_ids', 0, memory.grid(grid), memory.window(window), memory.options(options), address, ids, 0);
+        triangles.call(memory, 'voxelize_ids', 0, memory.grid(grid), memory.window(window), memory.options(options), address, ids,
+            0);
         return new Voxels(memory, 0, grid, window, memory.words(address, words).slice(), memory.words(ids, cells).slice());
     });
 }
