@@ -10,11 +10,6 @@ unsigned order_digits(int permutation)
     return (unsigned)(100 * (p[0] + 1) + 10 * (p[1] + 1) + p[2] + 1);
 }
 
-static const char *accuracy_name(tribox_accuracy accuracy)
-{
-    return accuracy == TRIBOX_EXACT ? "EXACT" : accuracy == TRIBOX_CONSERVATIVE ? "CONSERVATIVE" : "FAST";
-}
-
 void fail_pair(const origin *where, const pair_f64 *pair, bool answer)
 {
     const tribox_options *const o = &where->options;
@@ -25,22 +20,13 @@ void fail_pair(const origin *where, const pair_f64 *pair, bool answer)
     fail_msg("%s is wrong for a pair of scene %s", where->function, where->scene);
 }
 
-static size_t count_bits(const uint64_t *mask, size_t words)
-{
-    size_t count = 0;
-    for (size_t w = 0; w < words; w++)
-        for (uint64_t rest = mask[w]; rest; rest &= rest - 1)
-            count++;
-    return count;
-}
-
 static void check_answer(tribox_status status, size_t count, tribox_accuracy accuracy, const uint64_t *mask,
                          const tribox_report *report)
 {
     assert_int_equal(status, TRIBOX_OK);
     if (count % 64)
         assert_true(mask[count / 64] >> count % 64 == 0);
-    assert_int_equal(report->overlapping, count_bits(mask, tribox_mask_words(count)));
+    assert_int_equal(report->overlapping, bits_set(mask, tribox_mask_words(count)));
     assert_in_range(report->undecided, 0, accuracy == TRIBOX_FAST ? 0 : count);
 }
 

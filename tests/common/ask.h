@@ -11,14 +11,13 @@
 #include "kernels_here.h"
 #include "oracle.h"
 #include "tribox.h"
+#include "window_bits.h"
 
 enum { ORDERS = 6, AXIS_SETS = 7 };
 
 /* The six orders of three things: of the groups of axes in a call (order_digits), and of vertices or coordinates. */
 extern const int permutations[ORDERS][3];
 unsigned order_digits(int permutation);
-
-static inline bool bit_of(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
 
 /* Where a wrong answer was given. */
 typedef struct origin {

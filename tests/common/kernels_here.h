@@ -22,6 +22,15 @@ static inline int kernels_here(const char *names[KERNELS_MAX])
     return count;
 }
 
+static inline const char *accuracy_name(tribox_accuracy accuracy)
+{
+    return accuracy == TRIBOX_EXACT ? "EXACT" : accuracy == TRIBOX_CONSERVATIVE ? "CONSERVATIVE" : "FAST";
+}
+
+/* The orders of axes that may be asked for, the library's own choice first. */
+enum { AXIS_ORDERS = 7 };
+static inline unsigned axis_order_at(int k) { return (const unsigned[AXIS_ORDERS]){0, 123, 132, 213, 231, 312, 321}[k]; }
+
 /* Whether v_fma and v_fms of a kernel round once. */
 static inline bool kernel_is_fused(const char *name)
 {

@@ -18,12 +18,17 @@ static inline double pair_f64_number(const pair_f64 *pair, int k)
     return k < 9 ? pair->u[k / 3][k % 3] : k < 12 ? pair->box.lo[k - 9] : pair->box.hi[k - 12];
 }
 
+static inline bool are_finite(const double *numbers, int count)
+{
+    bool are = true;
+    for (int k = 0; k < count; k++)
+        are = are && isfinite(numbers[k]);
+    return are;
+}
+
 static inline bool pair_f64_is_finite(const pair_f64 *pair)
 {
-    bool is_finite = true;
-    for (int k = 0; k < 15; k++)
-        is_finite = is_finite && isfinite(pair_f64_number(pair, k));
-    return is_finite;
+    return are_finite(&pair->u[0][0], 9) && are_finite(pair->box.lo, 3) && are_finite(pair->box.hi, 3);
 }
 
 static inline bool box_is_empty(const tribox_box *box)

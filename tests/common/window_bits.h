@@ -1,10 +1,20 @@
-/* window_bits.h - the words of a grid or of a window, x first: where a cell has its bit. */
+/* window_bits.h - the bits of masks, and of the words of a grid or of a window, x first: where a cell has its own. */
 #ifndef TRIBOX_TESTS_WINDOW_BITS_H
 #define TRIBOX_TESTS_WINDOW_BITS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+static inline bool bit_of(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
+
+static inline size_t bits_set(const uint64_t *mask, size_t words)
+{
+    size_t count = 0;
+    for (size_t w = 0; w < words; w++)
+        count += (size_t)__builtin_popcountll(mask[w]);
+    return count;
+}
 
 static inline size_t window_row(const uint32_t size[3]) { return ((size_t)size[0] + 63) / 64; }
 

@@ -95,14 +95,6 @@ static size_t first_bit(const uint64_t *mask, size_t count, bool is_set)
     return i;
 }
 
-static size_t population(const uint64_t *mask, size_t count)
-{
-    size_t bits = 0;
-    for (size_t i = 0; i < count; i++)
-        bits += bit_of(mask, i);
-    return bits;
-}
-
 static void expect_mask(const fenced *got, const uint64_t *wanted, const char *which)
 {
     if (got->bytes && memcmp(got->at, wanted, got->bytes))
@@ -113,7 +105,7 @@ static void expect_mask(const fenced *got, const uint64_t *wanted, const char *w
 static void expect_report(const fenced *report, size_t count)
 {
     const tribox_report *const got = (const tribox_report *)(const void *)report->at;
-    if (got->overlapping != population(wanted_mask, count) || got->undecided > count)
+    if (got->overlapping != bits_set(wanted_mask, tribox_mask_words(count)) || got->undecided > count)
         fail_msg("%s: reports %zu, %zu undecided", doing, got->overlapping, got->undecided);
     assert_nothing_beside(report);
 }
@@ -129,7 +121,7 @@ static void check_overlap(const tribox_mesh *mesh, const tribox_options *options
     expect_report(&report, mesh->count);
     tribox_report alone;
     assert_int_equal(tribox_mesh_overlap(mesh, &box, options, NULL, &alone), TRIBOX_OK);
-    assert_int_equal(alone.overlapping, population(wanted_mask, mesh->count));
+    assert_int_equal(alone.overlapping, bits_set(wanted_mask, tribox_mask_words(mesh->count)));
 }
 
 static void check_classify(const tribox_mesh *mesh, const tribox_options *options, int where)
@@ -249,7 +241,6 @@ static void check_as_soup(const tribox_mesh *mesh, const tribox_options *options
 
 static void check_rows_of_floats(random_source *r, const tribox_mesh *mesh, int where)
 {
-    static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
     const size_t count = mesh->count;
     for (size_t n = 0; n < 9 * count; n++)
         numbers[n % 9][n / 9] = laid_mesh_float(mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
@@ -261,7 +252,7 @@ static void check_rows_of_floats(random_source *r, const tribox_mesh *mesh, int 
         check_as_soup(mesh, &(tribox_options){.kernel = names[k]});
         check_as_soup(mesh, &(tribox_options){.accuracy = (tribox_accuracy)random_int(r, 3),
                                               .axes = (unsigned)random_int(r, 8),
-                                              .axis_order = orders[random_int(r, 7)],
+                                              .axis_order = axis_order_at(random_int(r, AXIS_ORDERS)),
                                               .kernel = names[k]});
     }
 }

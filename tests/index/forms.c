@@ -48,9 +48,8 @@ static uint32_t *numbers_of(fenced place) { return (uint32_t *)(void *)place.at;
 
 static void say(const question *q, const char *form)
 {
-    static const char *const accuracies[] = {"EXACT", "CONSERVATIVE", "FAST"};
     snprintf(doing, sizeof doing, "%s: %s, %zu triangles, kernel %s, %s, axes %u, order %u", form, q->name, stored.soup.count,
-             q->options->kernel, accuracies[q->options->accuracy], q->options->axes, q->options->axis_order);
+             q->options->kernel, accuracy_name(q->options->accuracy), q->options->axes, q->options->axis_order);
 }
 
 static void print_region(const question *q)
@@ -162,14 +161,6 @@ static void demand_mask(const question *q, const uint64_t *mask)
     }
 }
 
-static size_t population(const uint64_t *mask, size_t words)
-{
-    size_t bits = 0;
-    for (size_t w = 0; w < words; w++)
-        bits += (size_t)__builtin_popcountll(mask[w]);
-    return bits;
-}
-
 static tribox_report *report_place(fenced *place)
 {
     *place = fenced_place(fences.report, sizeof(tribox_report), AT_END);
@@ -191,7 +182,7 @@ static void check_mask(question *q)
     demand_ok(tribox_index_overlap(&stored.index, &q->region, q->options, words_of(mask), report));
     demand_mask(q, words_of(mask));
     assert_nothing_beside(&mask);
-    demand_report(q, report, population(words_of(mask), q->words));
+    demand_report(q, report, bits_set(words_of(mask), q->words));
     memcpy(q->mask, words_of(mask), mask.bytes);
 }
 
@@ -201,7 +192,7 @@ static void check_count(const question *q)
     tribox_report *const report = report_place(&place);
     say(q, "tribox_index_overlap without a mask");
     demand_ok(tribox_index_overlap(&stored.index, &q->region, q->options, NULL, report));
-    demand_report(q, report, population(q->mask, q->words));
+    demand_report(q, report, bits_set(q->mask, q->words));
 }
 
 static size_t less(size_t one, size_t other) { return one < other ? one : other; }
@@ -252,14 +243,14 @@ static void check_words(const question *q, bool has_inside)
 
 static void check_list(const question *q, const uint32_t *ids)
 {
-    const size_t expected = population(q->mask, q->words), room = next_room(expected, stored.soup.count);
+    const size_t expected = bits_set(q->mask, q->words), room = next_room(expected, stored.soup.count);
     const fenced list = fenced_place(fences.list, less(room, expected) * sizeof(uint32_t), AT_END);
     size_t found = 0, k = 0;
     say(q, ids ? "tribox_index_list with numbers" : "tribox_index_list");
     demand_ok(tribox_index_list(ids ? &stored.with_ids : &stored.index, &q->region, q->options, room, numbers_of(list), &found));
     demand(q, found == expected, "triangles found", found);
     for (size_t i = 0; i < stored.soup.count && k < room; i++)
-        if (is_set(q->mask, i)) {
+        if (bit_of(q->mask, i)) {
             demand(q, numbers_of(list)[k] == (ids ? ids[i] : i), "another triangle at place", k);
             k++;
         }
@@ -274,9 +265,9 @@ static void check_any(const question *q)
     say(q, "tribox_index_any");
     demand_ok(tribox_index_any(&stored.index, &q->region, q->options, &triangle));
     if (triangle < stored.soup.count)
-        demand(q, is_set(q->mask, triangle) || (is_fast && is_set(q->inside, triangle)), "not overlapping", triangle);
+        demand(q, bit_of(q->mask, triangle) || (is_fast && bit_of(q->inside, triangle)), "not overlapping", triangle);
     else
-        demand(q, triangle == stored.soup.count && !population(q->mask, q->words), "none though some overlap,", triangle);
+        demand(q, triangle == stored.soup.count && !bits_set(q->mask, q->words), "none though some overlap,", triangle);
     if (q->options->accuracy == TRIBOX_EXACT && !q->is_damaged) {
         tribox_options other = *q->options;
         other.kernel = "scalar";
@@ -373,9 +364,8 @@ void check_lists(const tribox_boxes *boxes, const tribox_options *options, const
 
 tribox_options any_index_options(random_source *r)
 {
-    static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
     return (tribox_options){.accuracy = (tribox_accuracy)random_int(r, 3),
                             .axes = random_int(r, 3) ? 0 : TRIBOX_AXES_BOX | 2u * (unsigned)random_int(r, 4),
-                            .axis_order = orders[random_int(r, sizeof orders / sizeof orders[0])],
+                            .axis_order = axis_order_at(random_int(r, AXIS_ORDERS)),
                             .kernel = names[random_int(r, kernels)]};
 }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "common/random_draws.h"
+#include "common/window_bits.h"
 #include "stored.h"
 #include "tribox.h"
 
@@ -38,8 +39,5 @@ void check_lists(const tribox_boxes *boxes, const tribox_options *options, const
 
 /* Options drawn from all that may be asked: of a kernel that runs here, with the axes of the box. */
 tribox_options any_index_options(random_source *r);
-
-/* The bit of triangle i. */
-static inline bool is_set(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
 
 #endif

@@ -1,5 +1,6 @@
 /* test_gather.c - triangles in any order as streams: every range, and none beside it; an order, which is the same everywhere. */
 #include "common/harness.h"
+#include "common/soup_or_mesh.h"
 #include "order_kinds.h"
 
 enum { COUNT = 90, VERTICES = 40 };
@@ -69,7 +70,7 @@ static void check_mesh(random_source *r, unsigned index_bytes, size_t stride)
     uint16_t narrow[3 * COUNT];
     uint32_t wide[3 * COUNT];
     static float stream[9][COUNT];
-    tribox_soup soup = {.count = COUNT};
+    const tribox_soup soup = soup_of_rows(stream[0], COUNT, COUNT);
     for (size_t i = 0; i < bytes; i++)
         at[i] = (unsigned char)random_int(r, 256);
     for (size_t corner = 0; corner < 3 * COUNT; corner++) {
@@ -77,11 +78,6 @@ static void check_mesh(random_source *r, unsigned index_bytes, size_t stride)
         wide[corner] = narrow[corner] = (uint16_t)vertex;
         for (size_t a = 0; a < 3; a++)
             memcpy(&stream[3 * a + corner % 3][corner / 3], at + vertex * step + 4 * a, 4);
-    }
-    for (size_t v = 0; v < 3; v++) {
-        soup.x[v] = stream[v];
-        soup.y[v] = stream[3 + v];
-        soup.z[v] = stream[6 + v];
     }
     const tribox_mesh mesh = {.positions = at,
                               .stride = stride,

@@ -212,8 +212,8 @@ static void check_lost(const tribox_region *region, const uint64_t *before, cons
     snprintf(doing, sizeof doing, "a mesh that has changed, kernel %s, accuracy %d", options->kernel, (int)options->accuracy);
     assert_int_equal(tribox_index_overlap(&stored.index, region, options, mask, NULL), TRIBOX_OK);
     for (size_t i = 0; i < stored.soup.count; i++) {
-        const bool bit = is_set(mask, i), is_whole = i / 64 < stored.soup.count / 64 && mask[i / 64] == ~UINT64_C(0);
-        if (has_vertices(i) ? bit != is_set(before, i) : bit && !is_whole)
+        const bool bit = bit_of(mask, i), is_whole = i / 64 < stored.soup.count / 64 && mask[i / 64] == ~UINT64_C(0);
+        if (has_vertices(i) ? bit != bit_of(before, i) : bit && !is_whole)
             fail_msg("%s: bit %zu is %d", doing, i, bit);
     }
     check_damaged(region, options, "changed");

@@ -87,9 +87,9 @@ static void expect_both(const pair_list *q, const tribox_options *options, size_
 static void expect_mask(const pair_list *q, const tribox_options *options, const uint64_t *mask)
 {
     size_t set = 0, clear = 0;
-    while (set < q->count && !mask_bit(mask, set))
+    while (set < q->count && !bit_of(mask, set))
         set++;
-    while (clear < q->count && mask_bit(mask, clear))
+    while (clear < q->count && bit_of(mask, clear))
         clear++;
     expect_both(q, options, set, clear);
 }
@@ -127,7 +127,7 @@ static void check(const pair_list *q, const tribox_options *options)
             assert_nothing_beside(&inside);
         }
         if (wanted & 4)
-            assert_report(q, options, &report, mask_population(overlapping, q->count));
+            assert_report(q, options, &report, bits_set(overlapping, tribox_mask_words(q->count)));
     }
 }
 
@@ -179,15 +179,14 @@ CASE(test_every_count)
 
 CASE(test_axes)
 {
-    static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
     random_source r = random_named(args.seed, "axes");
     const pair_list q = draw_lattice(&r, &cube, 150);
     for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
-        for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++)
+        for (int o = 0; o < AXIS_ORDERS; o++)
             for (int k = 0; k < kernels; k++)
-                check(&q, &(tribox_options){.accuracy = (tribox_accuracy)((o + (size_t)k) % 3),
+                check(&q, &(tribox_options){.accuracy = (tribox_accuracy)((o + k) % 3),
                                             .axes = axes,
-                                            .axis_order = orders[o],
+                                            .axis_order = axis_order_at(o),
                                             .kernel = names[k]});
 }
 

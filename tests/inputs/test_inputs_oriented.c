@@ -8,6 +8,8 @@
 #include "common/harness.h"
 #include "common/laid_mesh.h"
 #include "common/oracle.h"
+#include "common/soup_or_mesh.h"
+#include "common/window_bits.h"
 #include "exact/oriented/oriented.h"
 #include "oriented_scenes.h"
 
@@ -19,9 +21,7 @@ static laid_fences mesh_fence;
 static const char *scene_name;
 static bool is_ordinary;
 static oriented_batch batch;
-static tribox_soup soup;
-static tribox_mesh mesh;
-static bool is_mesh; /* which of the two is asked */
+static soup_or_mesh of;
 
 /* What is true of it: the triangles that overlap, and those whose bounding box in the frame does. */
 static uint64_t overlapping[WORDS], bounds[WORDS];
@@ -53,8 +53,8 @@ static int set_up(void)
 static void lay_soup(bool is_at_end)
 {
     const size_t count = (size_t)batch.count;
-    const float **const axis[3] = {soup.x, soup.y, soup.z};
-    soup.count = count;
+    const float **const axis[3] = {of.soup.x, of.soup.y, of.soup.z};
+    of.soup.count = count;
     for (size_t s = 0; s < STREAMS; s++) {
         float *const stream = is_at_end ? guarded_tail(fence[s], count * sizeof(float)) : (void *)fence[s].first;
         for (size_t i = 0; i < count; i++)
@@ -71,16 +71,7 @@ static void lay_mesh(random_source *r)
 {
     static const int turn[3] = {0, 1, 2};
     const mesh_form form = mesh_form_draw(r, batch.form != ORIENTED_DOUBLES);
-    mesh = laid_mesh_of(r, &form, (const_triangles)batch.u, (size_t)batch.count, turn, mesh_fence);
-}
-
-static bool is_finite(double u[3][3])
-{
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            if (!isfinite(u[j][a]))
-                return false;
-    return true;
+    of.mesh = laid_mesh_of(r, &form, (const_triangles)batch.u, (size_t)batch.count, turn, mesh_fence);
 }
 
 static void ask_oracle(void)
@@ -88,7 +79,7 @@ static void ask_oracle(void)
     memset(overlapping, 0, sizeof overlapping);
     memset(bounds, 0, sizeof bounds);
     for (int t = 0; t < batch.count; t++) {
-        if (!is_finite(batch.u[t]))
+        if (!are_finite(&batch.u[t][0][0], 9))
             continue;
         const const_triangle u = (const_triangle)batch.u[t];
         bounds[t / 64] |= (uint64_t)oriented_oracle(u, &batch.box, true) << t % 64;
@@ -96,23 +87,14 @@ static void ask_oracle(void)
     }
 }
 
-static bool bit_of(const uint64_t *mask, int i) { return mask[i / 64] >> i % 64 & 1; }
-
-static size_t population(const uint64_t *mask)
-{
-    size_t count = 0;
-    for (int i = 0; i < 64 * WORDS; i++)
-        count += bit_of(mask, i);
-    return count;
-}
+static bool bit_at(const uint64_t *mask, int i) { return bit_of(mask, (size_t)i); }
 
 static void say(const tribox_options *options)
 {
-    static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     snprintf(doing, sizeof doing, "%s, scene %s, form %d, seed %" PRIu64 ", %s, %s, axes %u, order %u, count %d",
-             is_mesh ? "tribox_mesh_overlap_oriented" : "tribox_overlap_oriented", scene_name, (int)batch.form, args.seed,
-             options->kernel ? options->kernel : "the best kernel", accuracy[options->accuracy], options->axes, options->axis_order,
-             batch.count);
+             of.is_mesh ? "tribox_mesh_overlap_oriented" : "tribox_overlap_oriented", scene_name, (int)batch.form, args.seed,
+             options->kernel ? options->kernel : "the best kernel", accuracy_name(options->accuracy), options->axes,
+             options->axis_order, batch.count);
 }
 
 static void fail_at(int i, bool expected)
@@ -121,12 +103,6 @@ static void fail_at(int i, bool expected)
     if (i < batch.count)
         oriented_explain(stderr, (const_triangle)batch.u[i], &batch.box);
     fail();
-}
-
-static tribox_status call(const tribox_options *options, uint64_t *mask, tribox_report *report)
-{
-    return is_mesh ? tribox_mesh_overlap_oriented(&mesh, &batch.box, options, mask, report)
-                   : tribox_overlap_oriented(&soup, &batch.box, options, mask, report);
 }
 
 /* The mask, between pages that cannot be touched; bits past the count are zero. */
@@ -138,40 +114,38 @@ static const uint64_t *ask(const tribox_options *options)
     uint64_t *const mask = guarded_tail(mask_fence, words * sizeof *mask);
     memset(mask, 0xa5, words * sizeof *mask);
     say(options);
-    const tribox_status status = call(options, mask, &report);
+    const tribox_status status = CALL(overlap_oriented, &of, &batch.box, options, mask, &report);
     if (status)
         fail_msg("%s: %s", doing, tribox_status_text(status));
     memset(got, 0, sizeof got);
     memcpy(got, mask, words * sizeof *mask);
     for (int i = batch.count; i < 64 * WORDS; i++)
-        if (bit_of(got, i))
+        if (bit_at(got, i))
             fail_at(i, false);
-    if (report.overlapping != population(got))
-        fail_msg("%s: reports %zu of %zu", doing, report.overlapping, population(got));
+    if (report.overlapping != bits_set(got, WORDS))
+        fail_msg("%s: reports %zu of %zu", doing, report.overlapping, bits_set(got, WORDS));
     if (report.undecided > (options->accuracy == TRIBOX_FAST ? 0 : (size_t)batch.count))
         fail_msg("%s: reports %zu undecided", doing, report.undecided);
     tribox_report alone;
-    assert_int_equal(call(options, NULL, &alone), TRIBOX_OK);
+    assert_int_equal(CALL(overlap_oriented, &of, &batch.box, options, NULL, &alone), TRIBOX_OK);
     assert_memory_equal(&alone, &report, sizeof alone);
     return got;
 }
-
-static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
 
 static void check_exact(random_source *r, const char *kernel)
 {
     const tribox_options all = {.accuracy = TRIBOX_EXACT,
                                 .axes = random_int(r, 2) ? TRIBOX_AXES_ALL : 0,
-                                .axis_order = orders[random_int(r, 7)],
+                                .axis_order = axis_order_at(random_int(r, AXIS_ORDERS)),
                                 .kernel = kernel};
     const uint64_t *got = ask(&all);
     for (int i = 0; i < batch.count; i++)
-        if (bit_of(got, i) != bit_of(overlapping, i))
-            fail_at(i, bit_of(overlapping, i));
+        if (bit_at(got, i) != bit_at(overlapping, i))
+            fail_at(i, bit_at(overlapping, i));
     got = ask(&(tribox_options){.accuracy = TRIBOX_EXACT, .axes = TRIBOX_AXES_BOX, .axis_order = 0, .kernel = kernel});
     for (int i = 0; i < batch.count; i++)
-        if (bit_of(got, i) != bit_of(bounds, i))
-            fail_at(i, bit_of(bounds, i));
+        if (bit_at(got, i) != bit_at(bounds, i))
+            fail_at(i, bit_at(bounds, i));
 }
 
 /* Whether the answer about triangle i would be `answer` if the half lengths were others by a share of the sizes at hand. */
@@ -203,12 +177,14 @@ static size_t check_conservative(random_source *r, const char *kernel)
     size_t too_many = 0;
     for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
         const uint64_t *const must = axes == TRIBOX_AXES_BOX ? bounds : overlapping;
-        const uint64_t *const got = ask(&(tribox_options){
-            .accuracy = TRIBOX_CONSERVATIVE, .axes = axes, .axis_order = orders[random_int(r, 7)], .kernel = kernel});
+        const uint64_t *const got = ask(&(tribox_options){.accuracy = TRIBOX_CONSERVATIVE,
+                                                          .axes = axes,
+                                                          .axis_order = axis_order_at(random_int(r, AXIS_ORDERS)),
+                                                          .kernel = kernel});
         for (int i = 0; i < batch.count; i++) {
-            if (bit_of(got, i) ? !is_finite(batch.u[i]) : bit_of(must, i))
-                fail_at(i, bit_of(must, i));
-            if (axes != TRIBOX_AXES_ALL || bit_of(got, i) == bit_of(must, i))
+            if (bit_at(got, i) ? !are_finite(&batch.u[i][0][0], 9) : bit_at(must, i))
+                fail_at(i, bit_at(must, i));
+            if (axes != TRIBOX_AXES_ALL || bit_at(got, i) == bit_at(must, i))
                 continue;
             too_many++;
             check_near_contact(i, true);
@@ -224,12 +200,12 @@ static size_t check_fast(const char *kernel)
     const uint64_t *const got =
         ask(&(tribox_options){.accuracy = TRIBOX_FAST, .axes = TRIBOX_AXES_ALL, .axis_order = 0, .kernel = kernel});
     for (int i = 0; i < batch.count; i++) {
-        if (bit_of(got, i) == bit_of(overlapping, i))
+        if (bit_at(got, i) == bit_at(overlapping, i))
             continue;
-        if (!is_finite(batch.u[i]))
+        if (!are_finite(&batch.u[i][0][0], 9))
             fail_at(i, false);
         wrong++;
-        check_near_contact(i, bit_of(got, i));
+        check_near_contact(i, bit_at(got, i));
     }
     return wrong;
 }
@@ -240,9 +216,9 @@ static void check_same(const char *kernel)
     for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
         const tribox_options options = {.accuracy = accuracy, .kernel = kernel};
         uint64_t of_soup[WORDS];
-        is_mesh = false;
+        of.is_mesh = false;
         memcpy(of_soup, ask(&options), sizeof of_soup);
-        is_mesh = true;
+        of.is_mesh = true;
         if (memcmp(of_soup, ask(&options), sizeof of_soup))
             fail_msg("%s: is not what the soup's answer is", doing);
     }
@@ -271,12 +247,12 @@ static void check_last_stages(void)
     for (int i = 0; i < batch.count; i++) {
         tribox_oriented_pair pair = {.box = batch.box};
         memcpy(pair.u, batch.u[i], sizeof pair.u);
-        if (!is_finite(batch.u[i]))
+        if (!are_finite(&batch.u[i][0][0], 9))
             continue;
-        check_stage(i, "tribox_oriented_overlap", tribox_oriented_overlap(&pair, TRIBOX_AXES_ALL), bit_of(overlapping, i));
-        check_stage(i, "tribox_oriented_overlap", tribox_oriented_overlap(&pair, TRIBOX_AXES_BOX), bit_of(bounds, i));
+        check_stage(i, "tribox_oriented_overlap", tribox_oriented_overlap(&pair, TRIBOX_AXES_ALL), bit_at(overlapping, i));
+        check_stage(i, "tribox_oriented_overlap", tribox_oriented_overlap(&pair, TRIBOX_AXES_BOX), bit_at(bounds, i));
         if (i % 4 == 0)
-            check_stage(i, "tribox_oriented_long", tribox_oriented_long(&pair, TRIBOX_AXES_ALL), bit_of(overlapping, i));
+            check_stage(i, "tribox_oriented_long", tribox_oriented_long(&pair, TRIBOX_AXES_ALL), bit_at(overlapping, i));
     }
 }
 
@@ -286,16 +262,16 @@ static void check_batch(random_source *r, size_t *too_many, size_t *wrong)
     ask_oracle();
     check_last_stages();
     lay_mesh(r);
-    is_mesh = true;
+    of.is_mesh = true;
     check_kernels(r, batch.form == ORIENTED_DOUBLES ? too_many : &unused, batch.form == ORIENTED_DOUBLES ? wrong : &unused);
-    is_mesh = false;
+    of.is_mesh = false;
     if (batch.form == ORIENTED_DOUBLES)
         return;
     lay_soup(true);
     check_kernels(r, too_many, wrong);
-    for (int k = 0; k < kernels && mesh.position_bytes != 8; k++)
+    for (int k = 0; k < kernels && of.mesh.position_bytes != 8; k++)
         check_same(names[k]);
-    is_mesh = false;
+    of.is_mesh = false;
 }
 
 static void check_scene(const oriented_scene *scene, oriented_form form)
@@ -308,7 +284,7 @@ static void check_scene(const oriented_scene *scene, oriented_form form)
         oriented_draw(scene, form, &r, &batch);
         check_batch(&r, &too_many, &wrong);
         asked += (size_t)batch.count;
-        hits += population(overlapping);
+        hits += bits_set(overlapping, WORDS);
     }
     print_message("%-14s %-16s %zu pairs, %zu overlap; per kernel CONSERVATIVE adds %zu, FAST errs in %zu\n", scene_name,
                   numbers[form], asked, hits, too_many / (size_t)kernels, wrong / (size_t)kernels);
@@ -331,7 +307,7 @@ CASE(test_scenes)
 static void expect_none(const char *kernel)
 {
     for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
-        if (population(ask(&(tribox_options){.accuracy = accuracy, .kernel = kernel})))
+        if (bits_set(ask(&(tribox_options){.accuracy = accuracy, .kernel = kernel}), WORDS))
             fail_msg("%s: an empty box is overlapped", doing);
 }
 
@@ -418,20 +394,17 @@ static void check_large(const tribox_options *options, size_t count)
     enum { MOST = 5000 };
     static float stream[STREAMS][MOST];
     static uint64_t mask[MOST / 64 + 1];
-    tribox_soup large = {.count = count};
-    const float **const axis[3] = {large.x, large.y, large.z};
-    for (size_t s = 0; s < STREAMS; s++) {
-        axis[s / 3][s % 3] = stream[s];
+    const tribox_soup large = soup_of_rows(stream[0], MOST, count);
+    for (size_t s = 0; s < STREAMS; s++)
         for (size_t i = 0; i < count; i++)
             stream[s][i] = (float)batch.u[(i + i / ORIENTED_TRIANGLES) % ORIENTED_TRIANGLES][s % 3][s / 3];
-    }
     tribox_report report;
     size_t hits = 0;
     say(options);
     assert_int_equal(tribox_overlap_oriented(&large, &batch.box, options, mask, &report), TRIBOX_OK);
     for (size_t i = 0; i < count; i++) {
         const int t = (int)((i + i / ORIENTED_TRIANGLES) % ORIENTED_TRIANGLES);
-        const bool is_hit = mask[i / 64] >> i % 64 & 1, expected = bit_of(overlapping, t);
+        const bool is_hit = mask[i / 64] >> i % 64 & 1, expected = bit_at(overlapping, t);
         hits += is_hit;
         if (options->accuracy == TRIBOX_EXACT ? is_hit != expected : expected && !is_hit)
             fail_msg("%s, of %zu: bit %zu, triangle %d, should be %d", doing, count, i, t, expected);
@@ -469,9 +442,9 @@ CASE(test_every_count)
             lay_soup(place == 0);
             lay_mesh(&r);
             ask_oracle();
-            is_mesh = batch.count % 2;
+            of.is_mesh = batch.count % 2;
             check_kernels(&r, &unused, &unused);
-            is_mesh = false;
+            of.is_mesh = false;
         }
 }
 

@@ -37,9 +37,8 @@ tribox_status pair_list_overlap(const pair_list *q, const tribox_options *option
 
 const char *pair_list_text(const pair_list *q, const tribox_options *options, char text[PAIR_LIST_TEXT])
 {
-    static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     snprintf(text, PAIR_LIST_TEXT, "%s, kernel %s, %s, axes %u, order %u, count %zu", call_name(q), options->kernel,
-             accuracy[options->accuracy], options->axes, options->axis_order, q->count);
+             accuracy_name(options->accuracy), options->axes, options->axis_order, q->count);
     return text;
 }
 
@@ -73,9 +72,9 @@ void assert_masks_equal(const pair_list *q, const tribox_options *options, const
     if (!words || !memcmp(mask, expected, words * sizeof *mask))
         return;
     size_t i = 0;
-    while (mask_bit(mask, i) == mask_bit(expected, i))
+    while (bit_of(mask, i) == bit_of(expected, i))
         i++;
-    fail_at_pair(q, options, i, mask_bit(expected, i));
+    fail_at_pair(q, options, i, bit_of(expected, i));
 }
 
 void ask_ok(const pair_list *q, const tribox_options *options, uint64_t *mask, tribox_report *report)
@@ -84,12 +83,4 @@ void ask_ok(const pair_list *q, const tribox_options *options, uint64_t *mask, t
     char text[PAIR_LIST_TEXT];
     if (status)
         fail_msg("%s: %s", pair_list_text(q, options, text), tribox_status_text(status));
-}
-
-size_t mask_population(const uint64_t *mask, size_t count)
-{
-    size_t population = 0;
-    for (size_t i = 0; i < count; i++)
-        population += mask_bit(mask, i);
-    return population;
 }

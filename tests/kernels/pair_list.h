@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "common/window_bits.h"
 #include "tribox.h"
 
 enum { SOUP_STREAMS = 9, BOXES_STREAMS = 6 };
@@ -39,9 +40,5 @@ void assert_masks_equal(const pair_list *q, const tribox_options *options, const
 
 /* Asks, expects TRIBOX_OK. */
 void ask_ok(const pair_list *q, const tribox_options *options, uint64_t *mask, tribox_report *report);
-
-static inline bool mask_bit(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
-
-size_t mask_population(const uint64_t *mask, size_t count);
 
 #endif

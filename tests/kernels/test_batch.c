@@ -40,7 +40,7 @@ static void assert_lanes_are_distinct(const uint64_t *mask, size_t count)
     for (size_t distance = 1; distance <= 64; distance++) {
         size_t differing = 0;
         for (size_t i = distance; i < count; i++)
-            differing += mask_bit(mask, i) != mask_bit(mask, i - distance);
+            differing += bit_of(mask, i) != bit_of(mask, i - distance);
         assert_true(differing > count / 8);
     }
 }
@@ -83,7 +83,7 @@ static void assert_poisoned(const unsigned char *first, const unsigned char *end
 static void assert_report(const pair_list *q, const tribox_options *options, const tribox_report *report, const uint64_t *expected)
 {
     char text[PAIR_LIST_TEXT];
-    const size_t overlapping = mask_population(expected, q->count);
+    const size_t overlapping = bits_set(expected, tribox_mask_words(q->count));
     if (report->overlapping != overlapping)
         fail_msg("%s: the report counts %zu, the mask has %zu", pair_list_text(q, options, text), report->overlapping, overlapping);
     if (report->undecided > (options->accuracy == TRIBOX_FAST ? 0 : q->count))

@@ -37,19 +37,18 @@ static void expect_all_but_spoilt(uint64_t expected[WORDS])
 /* Asks every kernel in every order, from an accuracy and a set of axes on; the answer is always the same. */
 static void check_from(const pair_list *q, const uint64_t expected[WORDS], tribox_accuracy first, unsigned least_axes)
 {
-    static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = first; accuracy <= TRIBOX_FAST; accuracy++)
             for (unsigned axes = least_axes; axes <= TRIBOX_AXES_ALL; axes++)
-                for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
+                for (int o = 1; o < AXIS_ORDERS; o++) {
                     const tribox_options options = {
-                        .accuracy = accuracy, .axes = axes, .axis_order = orders[o], .kernel = names[k]};
+                        .accuracy = accuracy, .axes = axes, .axis_order = axis_order_at(o), .kernel = names[k]};
                     uint64_t mask[WORDS];
                     tribox_report report;
                     pair_list_text(q, &options, doing);
                     ask_ok(q, &options, mask, &report);
                     assert_masks_equal(q, &options, expected, mask);
-                    assert_int_equal(report.overlapping, mask_population(expected, q->count));
+                    assert_int_equal(report.overlapping, bits_set(expected, tribox_mask_words(q->count)));
                 }
 }
 
@@ -359,7 +358,7 @@ CASE(test_faces_on_tenths)
             for (int k = 0; k < kernels; k++) {
                 ask_ok(&q[form], &(tribox_options){.accuracy = TRIBOX_FAST, .kernel = names[k]}, mask, NULL);
                 for (int i = 0; i < COUNT; i++)
-                    lost[form][k] += mask_bit(exact, (size_t)i) && !mask_bit(mask, (size_t)i);
+                    lost[form][k] += bit_of(exact, (size_t)i) && !bit_of(mask, (size_t)i);
             }
         }
     }

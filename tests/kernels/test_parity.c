@@ -18,7 +18,7 @@ static void ask(const pair_list *q, const tribox_options *options, uint64_t *mas
     tribox_report report;
     pair_list_text(q, options, doing);
     ask_ok(q, options, mask, &report);
-    assert_int_equal(report.overlapping, mask_population(mask, q->count));
+    assert_int_equal(report.overlapping, bits_set(mask, tribox_mask_words(q->count)));
     assert_true(report.undecided <= (options->accuracy == TRIBOX_FAST ? 0 : q->count));
 }
 
@@ -32,11 +32,11 @@ static void ask_kernels(const pair_list *q, unsigned axes, answers *got)
 
 static void check_orders(const pair_list *q, unsigned axes, const answers *got)
 {
-    static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
-            for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
-                const tribox_options options = {.accuracy = accuracy, .axes = axes, .axis_order = orders[o], .kernel = names[k]};
+            for (int o = 1; o < AXIS_ORDERS; o++) {
+                const tribox_options options = {
+                    .accuracy = accuracy, .axes = axes, .axis_order = axis_order_at(o), .kernel = names[k]};
                 uint64_t mask[WORDS];
                 ask(q, &options, mask);
                 assert_masks_equal(q, &options, got->mask[k][accuracy], mask);
@@ -61,8 +61,8 @@ static void assert_fast_masks_equal(const pair_list *q, const tribox_options *op
     uint64_t kept[2][WORDS] = {{0}};
     for (size_t i = 0; i < q->count; i++)
         if (is_in_fast_range(q, i)) {
-            kept[0][i / 64] |= (uint64_t)mask_bit(expected, i) << i % 64;
-            kept[1][i / 64] |= (uint64_t)mask_bit(mask, i) << i % 64;
+            kept[0][i / 64] |= (uint64_t)bit_of(expected, i) << i % 64;
+            kept[1][i / 64] |= (uint64_t)bit_of(mask, i) << i % 64;
         }
     assert_masks_equal(q, options, kept[0], kept[1]);
 }
@@ -91,7 +91,7 @@ static void check_alone(const pair_list *q, unsigned axes, const answers *got)
                 const pair_list pair = pair_list_at(q, i);
                 uint64_t bit;
                 ask(&pair, &options, &bit);
-                if (bit != mask_bit(got->mask[k][accuracy], i))
+                if (bit != bit_of(got->mask[k][accuracy], i))
                     fail_at_pair(q, &options, i, bit);
             }
 }
@@ -100,7 +100,7 @@ static void check_conservative(const pair_list *q, unsigned axes, const answers 
 {
     for (int k = 0; k < kernels; k++)
         for (size_t i = 0; i < q->count; i++)
-            if (mask_bit(got->mask[k][TRIBOX_EXACT], i) && !mask_bit(got->mask[k][TRIBOX_CONSERVATIVE], i))
+            if (bit_of(got->mask[k][TRIBOX_EXACT], i) && !bit_of(got->mask[k][TRIBOX_CONSERVATIVE], i))
                 fail_at_pair(q,
                              &(tribox_options){.accuracy = TRIBOX_CONSERVATIVE, .axes = axes, .axis_order = 0, .kernel = names[k]},
                              i, true);
@@ -110,7 +110,7 @@ static void check_conservative(const pair_list *q, unsigned axes, const answers 
 static void check_more_axes(const pair_list *q, const answers *all, unsigned axes, const answers *some)
 {
     for (size_t i = 0; i < q->count; i++)
-        if (mask_bit(all->mask[0][TRIBOX_EXACT], i) && !mask_bit(some->mask[0][TRIBOX_EXACT], i))
+        if (bit_of(all->mask[0][TRIBOX_EXACT], i) && !bit_of(some->mask[0][TRIBOX_EXACT], i))
             fail_at_pair(q, &(tribox_options){.accuracy = TRIBOX_EXACT, .axes = axes, .axis_order = 0, .kernel = names[0]}, i,
                          true);
 }
@@ -119,7 +119,7 @@ static void check_question(const pair_list *q, size_t *overlapping)
 {
     answers all = {{{{0}}}};
     ask_kernels(q, TRIBOX_AXES_ALL, &all);
-    *overlapping += mask_population(all.mask[0][TRIBOX_EXACT], q->count);
+    *overlapping += bits_set(all.mask[0][TRIBOX_EXACT], tribox_mask_words(q->count));
     for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
         answers got = {{{{0}}}};
         ask_kernels(q, axes, &got);

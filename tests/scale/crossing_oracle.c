@@ -6,6 +6,8 @@
 
 #include <gmp.h>
 
+#include "common/pair_f64.h"
+
 static mpz_t at[3], p[3][3], turn[3], area, sum, product;
 static bool is_ready;
 
@@ -57,14 +59,6 @@ static void set_turn(mpz_t to, mpz_t a[3], mpz_t b[3])
     mpz_submul(to, sum, product);
 }
 
-static bool is_finite(const double u[3][3])
-{
-    bool is = true;
-    for (int n = 0; n < 9; n++)
-        is = is && isfinite(u[n / 3][n % 3]);
-    return is;
-}
-
 static bool is_beside(const double u[3][3], double y, double z)
 {
     const double point[3] = {0, y, z};
@@ -110,7 +104,7 @@ void crossing_oracle(const crossing_case *c, bool *is_inside, bool *is_odd)
         set_point(c, 1, y);
         set_point(c, 2, z);
         for (int t = 0; t < c->count; t++) {
-            if (!is_finite(c->u[t]) || is_beside(c->u[t], y, z) || !crosses(c, c->u[t]))
+            if (!are_finite(&c->u[t][0][0], 9) || is_beside(c->u[t], y, z) || !crosses(c, c->u[t]))
                 continue;
             is_odd[row] = !is_odd[row];
             for (uint32_t i = 0; i < c->size[0]; i++) {

@@ -86,14 +86,6 @@ uint64_t *cells_make(size_t words)
     return occupied;
 }
 
-size_t cells_count(const uint64_t *occupied, size_t words)
-{
-    size_t count = 0;
-    for (size_t w = 0; w < words; w++)
-        count += (size_t)__builtin_popcountll(occupied[w]);
-    return count;
-}
-
 /* Cells of the window, from `first` to before `end`. */
 typedef struct block {
     uint32_t first[3], end[3];
@@ -122,18 +114,11 @@ static bool touch(const cells_case *c, size_t t, int a, block *b)
     return true;
 }
 
-static bool is_finite(const cells_case *c, size_t t)
-{
-    for (int n = 0; n < 9; n++)
-        if (!isfinite(c->u[t][n / 3][n % 3]))
-            return false;
-    return true;
-}
-
 static bool block_of(const cells_case *c, size_t t, unsigned axes, block *b)
 {
     *b = (block){.end = {c->at.size[0], c->at.size[1], c->at.size[2]}};
-    return is_finite(c, t) && (!(axes & TRIBOX_AXES_BOX) || (touch(c, t, 0, b) && touch(c, t, 1, b) && touch(c, t, 2, b)));
+    return are_finite(&c->u[t][0][0], 9) &&
+           (!(axes & TRIBOX_AXES_BOX) || (touch(c, t, 0, b) && touch(c, t, 1, b) && touch(c, t, 2, b)));
 }
 
 size_t cells_cost(const cells_case *c, size_t t, unsigned axes)
@@ -179,9 +164,8 @@ void cells_cut(const cells_case *c, const tribox_window *from, const uint64_t *a
 
 static void tell(const cells_case *c, size_t first, size_t count)
 {
-    static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     int length = snprintf(doing, sizeof doing, "%s, triangles %zu + %zu of %zu, form %d, %s, axes %u, kernel %s, cells", c->scene,
-                          first, count, c->count, (int)c->form, accuracy[c->options.accuracy], c->options.axes,
+                          first, count, c->count, (int)c->form, accuracy_name(c->options.accuracy), c->options.axes,
                           c->options.kernel ? c->options.kernel : "of the library's choice");
     for (int a = 0; a < 3 && length < (int)sizeof doing; a++)
         length += snprintf(doing + length, sizeof doing - (size_t)length, " %u + %u of %u", (unsigned)c->at.first[a],
@@ -222,7 +206,7 @@ static size_t add(const cells_case *c, cells_form in, size_t first, size_t count
     for (size_t w = 0; w < words; w++)
         if ((occupied[w] & ~to[w]) | (to[w] & ~occupied[w] & past_row(c, w)))
             fail_msg("%s: word %zu was %#llx and is %#llx", doing, w, (unsigned long long)occupied[w], (unsigned long long)to[w]);
-    const size_t set = cells_count(to, words) - cells_count(occupied, words);
+    const size_t set = bits_set(to, words) - bits_set(occupied, words);
     if (turn % 5 > 1)
         assert_int_equal(report.overlapping, set);
     memcpy(occupied, to, bytes);
@@ -266,7 +250,7 @@ static void fail_cell(const cells_case *c, size_t first, size_t count, const uin
         fprintf(stderr, "  %c   origin %a, cell %a\n", "xyz"[a], c -> grid.origin[a], c->grid.cell[a]);
     for (size_t t = first; t < first + count; t++) {
         const cell_oracle triangle = cell_oracle_make(c->u[t]);
-        const bool is_one = is_finite(c, t) && cell_oracle_overlaps(&triangle, &box, axes_of(c));
+        const bool is_one = are_finite(&c->u[t][0][0], 9) && cell_oracle_overlaps(&triangle, &box, axes_of(c));
         if (is_one || count == 1)
             cell_oracle_explain(stderr, &triangle, &box);
     }
@@ -323,7 +307,7 @@ static bool is_excused(const cells_case *c, const uint32_t at[3], bool answer)
     const tribox_box box = cells_box(c, at);
     for (size_t t = 0; t < c->count; t++) {
         double band[3];
-        if (!is_finite(c, t))
+        if (!are_finite(&c->u[t][0][0], 9))
             continue;
         set_band(c, &box, t, band);
         const cell_oracle triangle = cell_oracle_make(c->u[t]);
@@ -340,7 +324,7 @@ void cells_check_band(const cells_case *c, const uint64_t *exact, const uint64_t
     size_t word = 0;
     uint64_t seen = 0;
     uint32_t at[3];
-    count->asked += cells_count(exact, cells_words(c));
+    count->asked += bits_set(exact, cells_words(c));
     while (next_difference(c, exact, occupied, &word, &seen, at)) {
         const bool is_missed = window_bit(c->at.size, exact, at[0], at[1], at[2]);
         count->missed += is_missed;

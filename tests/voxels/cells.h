@@ -52,8 +52,6 @@ soup_or_mesh cells_all(const cells_case *c);
 /* Zeros; fails the test if there is no memory. */
 uint64_t *cells_make(size_t words);
 
-size_t cells_count(const uint64_t *occupied, size_t words);
-
 /* How many cells triangle t may touch, and one more on each side; by axes without the box normals all of the window. */
 size_t cells_cost(const cells_case *c, size_t t, unsigned axes);
 

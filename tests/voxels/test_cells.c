@@ -118,7 +118,7 @@ static void check_exact(unsigned axes, int kernel)
     memcpy(occupied, before, words * sizeof *occupied);
     const size_t set = ask_in_parts(occupied);
     cells_check(&drawn, 0, drawn.count, expected, occupied);
-    assert_int_equal(set, cells_count(expected, words) - cells_count(before, words));
+    assert_int_equal(set, bits_set(expected, words) - bits_set(before, words));
     drawn.at = range;
 }
 
@@ -136,7 +136,7 @@ static void check_layers(const uint64_t *whole)
         set += ask_in_parts(expected + first * layer);
     }
     drawn.at = range;
-    if (memcmp(expected, whole, words * sizeof *expected) || set != cells_count(whole, words))
+    if (memcmp(expected, whole, words * sizeof *expected) || set != bits_set(whole, words))
         fail_msg("%s: layers have or count other bits than the whole", doing);
 }
 
@@ -187,7 +187,7 @@ static void check_ids(void)
             fail_msg("%s: cell %zu is %s with %u and not %u, first %u", doing, n, is_expected ? "expected" : "not expected",
                      (unsigned)ids[n], (unsigned)id, (unsigned)first);
     }
-    assert_int_equal(set, cells_count(all, cells_words(&drawn)));
+    assert_int_equal(set, bits_set(all, cells_words(&drawn)));
     guarded_free(g);
 }
 
@@ -213,7 +213,7 @@ static void check(unsigned axes, bool is_within_fast)
 {
     expect(axes, true);
     sum.runs++;
-    sum.set += cells_count(all, cells_words(&drawn));
+    sum.set += bits_set(all, cells_words(&drawn));
     for (int kernel = 0; kernel < kernels; kernel++)
         check_exact(axes, kernel);
     check_rounded(TRIBOX_CONSERVATIVE, axes, axes == TRIBOX_AXES_ALL);
@@ -382,7 +382,7 @@ static void check_bricks(size_t tile, tribox_accuracy accuracy, unsigned axes)
     assert_int_equal(CALL(tile_lists, &of, &drawn.grid, &share, &drawn.options, starts, list), TRIBOX_OK);
     assert_int_equal(CALL(bricks, &of, &drawn.grid, &share, starts, list, &drawn.options, scratch, &sink, &report), TRIBOX_OK);
     guarded_free(g);
-    assert_int_equal(report.overlapping, cells_count(occupied, cells_words(&drawn)));
+    assert_int_equal(report.overlapping, bits_set(occupied, cells_words(&drawn)));
     cells_check(&drawn, 0, drawn.count, all, occupied);
 }
 
@@ -560,10 +560,7 @@ CASE(test_planes_of_slivers)
     }
 }
 
-CASE(test_name_of_scene)
-{
-    assert_true(has_started || args.named_case);
-}
+CASE(test_name_of_scene) { assert_true(has_started || args.named_case); }
 
 PROGRAM(RUN(test_judge), RUN(test_kinds), RUN(test_large), RUN(test_planes_of_slivers), RUN(test_real_meshes),
         RUN(test_name_of_scene))

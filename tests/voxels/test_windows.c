@@ -51,7 +51,7 @@ CASE(test_threads)
         put_triangles(&r, NULL, (size_t)random_int_between(&r, 1, TRIANGLES), SIZE_MAX, &drawn);
         drawn.options = (tribox_options){.kernel = round % 2 ? names[random_int(&r, kernels)] : NULL};
         cells_ask(&drawn, 0, drawn.count, of_whole);
-        const size_t set = cells_count(of_whole, cells_words(&drawn));
+        const size_t set = bits_set(of_whole, cells_words(&drawn));
         memset(occupied, 0, cells_words(&drawn) * sizeof *occupied);
         for (uint32_t t = 0; t < THREADS; t++) {
             const uint32_t first = drawn.grid.size[2] * t / THREADS, end = drawn.grid.size[2] * (t + 1) / THREADS;
