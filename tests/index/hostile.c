@@ -2,9 +2,9 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "common/contact.h"
+#include "common/harness.h"
 
 /* A lattice: number k is unit * (offset + k). Its cells have CELL units. */
 typedef struct lattice {
@@ -297,5 +297,56 @@ tribox_box draw_box(random_source *r)
     if (kind == 2)
         box.hi[a] = box.lo[a];
     nudge_bounds(r, &box);
+    return box;
+}
+
+void draw_stored(random_source *r, const soup_kind *kind, size_t count)
+{
+    stored_soup_lay(count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
+    kind->draw(r);
+    spoil_soup(r, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
+    stored_build(names[random_int(r, kernels)]);
+}
+
+void draw_stored_form(random_source *r, const soup_kind *kind, size_t count)
+{
+    draw_stored(r, kind, count);
+    if (random_int(r, 2))
+        return;
+    const mesh_layout layout = draw_layout(r, count);
+    stored_mesh_lay(r, &layout);
+    stored_build(names[random_int(r, kernels)]);
+}
+
+/* Axes of a turn about one axis of the world, quarter turns among them; then scaled, sheared, or one of them lost. */
+void draw_axes(random_source *r, tribox_oriented_box *box)
+{
+    const int about = random_int(r, 3);
+    const double angle = random_int(r, 3) ? random_double(r, -4, 4) : 0, quarter = random_int(r, 4);
+    const double c = quarter > 1 && angle == 0 ? (quarter > 2 ? -1 : 0) : cos(angle), s = c == 0 ? 1 : sin(angle);
+    memset(box->axis, 0, sizeof box->axis);
+    box->axis[about][about] = 1;
+    box->axis[(about + 1) % 3][(about + 1) % 3] = box->axis[(about + 2) % 3][(about + 2) % 3] = (float)c;
+    box->axis[(about + 1) % 3][(about + 2) % 3] = (float)s;
+    box->axis[(about + 2) % 3][(about + 1) % 3] = (float)-s;
+    const int k = random_int(r, 3), a = random_int(r, 3), kind = random_int(r, 8);
+    if (kind == 0)
+        box->axis[k][a] += (float)random_double(r, -1, 1);
+    for (int b = 0; kind == 1 && b < 3; b++)
+        box->axis[k][b] *= 0.125f;
+    for (int b = 0; kind == 2 && b < 3; b++)
+        box->axis[k][b] = 0;
+}
+
+tribox_oriented_box draw_oriented(random_source *r, const tribox_box *about)
+{
+    tribox_oriented_box box;
+    draw_axes(r, &box);
+    for (int a = 0; a < 3; a++) {
+        box.center[a] = about->lo[a] / 2 + about->hi[a] / 2;
+        box.half[a] = (about->hi[a] / 2 - about->lo[a] / 2) * (random_int(r, 3) ? 1 : random_double(r, 0, 2));
+        if (random_int(r, 12) == 0)
+            box.half[a] = random_int(r, 2) ? 0 : -box.half[a];
+    }
     return box;
 }

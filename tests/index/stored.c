@@ -40,6 +40,7 @@ void stored_soup_lay(size_t count, int shift)
         s->ids[i] = (uint32_t)i * 2654435761u ^ 0x9e3779b9u;
     s->soup.count = count;
     s->nodes = laid(s->nodes_fence, tribox_index_bytes(count), shift, 1);
+    s->layout = (mesh_layout){.place = {.scale = 1}};
     s->index = s->with_ids = (tribox_index){.nodes = s->nodes, .soup = &s->soup};
     s->with_ids.ids = s->ids;
 }
