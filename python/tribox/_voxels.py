@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Iterator, Optional, Tuple, Union
+from abc import ABCMeta
+from typing import Any, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
@@ -20,11 +21,27 @@ from ._triangles import point
 from ._typing import Window
 
 
-class Voxels(NDArrayOperatorsMixin):
+# What gives bools of bools, cell by cell.
+BITWISE = {np.bitwise_and: np.bitwise_and, np.bitwise_or: np.bitwise_or, np.bitwise_xor: np.bitwise_xor, np.invert: np.invert,
+           np.logical_and: np.bitwise_and, np.logical_or: np.bitwise_or, np.logical_xor: np.bitwise_xor, np.logical_not: np.invert}
+
+
+class WithoutOperators(ABCMeta):
+    """Leaves the operators of an array, of which there are fifty, out of help()."""
+
+    def __dir__(cls) -> List[str]:
+        return [name for name in super().__dir__() if name not in vars(NDArrayOperatorsMixin)]
+
+
+class Voxels(NDArrayOperatorsMixin, metaclass=WithoutOperators):
     """Cells of a grid, as an array of bool of shape (nz, ny, nx) that knows its grid: voxels[k, j, i] is cell (i, j, k).
 
-    Voxels can be used like such an array, without a copy: np.asarray(voxels), voxels[3], voxels.sum(), ~voxels, voxels.any(axis=0),
+    Voxels can be used like such an array, without a copy: np.asarray(voxels), voxels[3], voxels.sum(), voxels.any(axis=0),
     np.argwhere(voxels), and so on. They are read-only; np.array(voxels) is a copy that can be written to.
+
+    a & b, a | b, a ^ b and ~a are Voxels of the same cells; with another grid or window they are an InputError, with an array an
+    array. voxels[2:5, :, 10:] are Voxels of that window of the grid, with their ids and the cells inside; any other index, such as
+    voxels[3] or voxels[::2], gives what an array gives.
 
     grid: the Grid. window: (first, size) of the cells of the grid that are here, which may be only some.
     words: the cells in memory, uint64 of shape (nz, ny, words): bit i % 64 of word i // 64 of a row is cell i along x. Bools, eight
@@ -119,6 +136,8 @@ class Voxels(NDArrayOperatorsMixin):
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **keywords: Any) -> Any:
         if any(isinstance(array, Voxels) for array in keywords.get("out", ())):
             return NotImplemented
+        if ufunc in BITWISE and method == "__call__" and not keywords and all(isinstance(one, Voxels) for one in inputs):
+            return self._of_bits(BITWISE[ufunc], inputs)
         return getattr(ufunc, method)(*(np.asarray(one) if isinstance(one, Voxels) else one for one in inputs), **keywords)
 
     def __getattr__(self, name: str) -> Any:
@@ -128,7 +147,12 @@ class Voxels(NDArrayOperatorsMixin):
         return getattr(np.asarray(self), name)
 
     def __getitem__(self, key: Any) -> Any:
-        return np.asarray(self)[key]
+        window = self._window_at(key)
+        return np.asarray(self)[key] if window is None else self._part(*window)
+
+    def __setitem__(self, key: Any, value: Any) -> None:
+        raise InputTypeError("Voxels are read-only; np.array(voxels) is a copy that can be written to, and tribox.Voxels(copy, "
+                             "voxels.grid, voxels.window) makes Voxels of it")
 
     def __iter__(self) -> Iterator[NDArray[np.bool_]]:
         return iter(np.asarray(self))
@@ -149,6 +173,37 @@ class Voxels(NDArrayOperatorsMixin):
         """The first cell and the last."""
         first, size = self._window
         return first, [f + s - 1 for f, s in zip(first, size)]
+
+    def _of_bits(self, ufunc, inputs):
+        """Voxels of an operation on the cells of all these."""
+        for other in inputs:
+            if (other.grid, other.window) != (self.grid, self.window):
+                raise InputError(f"these are cells {inputs[0].window} of {inputs[0].grid} and {inputs[1].window} of "
+                                 f"{inputs[1].grid}; give Voxels of one grid and window, or np.asarray() of them")
+        words = ufunc(*(other._words for other in inputs))
+        if ufunc is np.invert and words.size and self.shape[2] % 64:
+            words[..., -1] &= WORD.type((1 << self.shape[2] % 64) - 1)
+        return Voxels(words, self._grid, self._window)
+
+    def _window_at(self, key):
+        """(first, end), in the order of axes of the array, of what slices without a step cut out; None if it is not such a box."""
+        key = key if isinstance(key, tuple) else (key,)
+        if len(key) > 3 or not all(isinstance(one, slice) and one.step in (None, 1) for one in key):
+            return None
+        ranges = [one.indices(size)[:2] for one, size in zip((*key, *(slice(None),) * (3 - len(key))), self.shape)]
+        return [first for first, _ in ranges], [max(range_) for range_ in ranges]
+
+    def _part(self, first, end):
+        """The cells in a box of places in the array."""
+        key = tuple(map(slice, first, end))
+        cells = np.asarray(self)
+        size = [e - f for f, e in zip(first, end)]
+        part = Voxels(cells[key], self._grid, ([f + s for f, s in zip(self._window[0], first[::-1])], size[::-1]))
+        if self._ids is not None:
+            is_in = np.zeros(self.shape, bool)
+            is_in[key] = True
+            part._with_ids(self._ids[is_in[cells]])
+        return part if self._inside is None else part._with_inside(rows_of_words(bools(self._inside, self.shape[2])[key]))
 
     def _add(self, words):
         """Adds cells, which may be these very words."""

@@ -50,6 +50,27 @@ class Arrays(cases.TestCase):
         for name in ("nothing", "vertices"):
             self.assertRaises(AttributeError, getattr, voxels, name)
 
+    def test_stay(self):
+        """Bits of one grid and windows of it are Voxels, with the ids and the cells inside of a window."""
+        told = tribox.voxelize(self.triangles, GRIDS["floats"], ids=True)
+        solid = tribox.voxelize(self.triangles, GRIDS["floats"], fill="outside", labels=True)
+        a, b, numbers = np.array(told), np.array(solid), np.full(told.shape, -1)
+        numbers[a] = told.ids
+        for call in (lambda a, b: a & b, lambda a, b: a | b, lambda a, b: a ^ b, lambda a, b: ~a, lambda a, b: np.logical_not(b),
+                     lambda a, b: np.logical_or(b, a)):
+            voxels = call(told, solid)
+            self.assert_same(np.asarray(voxels), call(a, b))
+            self.assertEqual((voxels.grid, voxels.window, voxels.sum()), (told.grid, told.window, np.count_nonzero(call(a, b))))
+        for key in (np.s_[2:30], np.s_[:, 4:], np.s_[-7:, 3:20, 60:129], np.s_[5:2, :, -1:], np.s_[:]):
+            part, other = told[key], solid[key]
+            self.assert_same(np.asarray(part), a[key])
+            self.assert_same(part.ids.astype(int), numbers[key][a[key]])
+            self.assert_same(other.labels(), solid.labels()[key])
+            self.assert_same(part.cells(), tribox.voxelize(self.triangles, GRIDS["floats"], window=part.window).cells())
+            self.assert_same(np.asarray(part[1:]), a[key][1:])
+        for other, pattern in ((told[1:], "give Voxels of one grid"), (self.voxels, "0.7, 0.3, 0.3.*give Voxels of one grid")):
+            self.refuse(tribox.InputError, None, pattern, lambda: told & other)
+
     def test_is_read(self):
         """What they hold is not written by mistake; a copy can be."""
         voxels = self.voxels
