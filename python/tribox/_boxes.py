@@ -19,7 +19,9 @@ NO_BOX = 1, 1, 1, 0, 0, 0  # the empty box
 
 @dataclass(frozen=True, eq=False)
 class OrientedBox:
-    """The closed box of the points p with abs(axis[k] @ (p - center)) <= half[k], for k = 0, 1, 2, for an Index.
+    """The closed box of the points p with abs(axis[k] @ (p - center)) <= half[k], for k = 0, 1, 2.
+
+    overlap, find, crop and an Index take one in place of lo and hi.
 
     center, half: three finite numbers each, in the unit of the triangles. axis: the three directions of the box, of shape (3, 3);
     of length 1 if half is to be in that unit. They need not be orthonormal. All numbers are taken as doubles, without rounding.
@@ -45,6 +47,8 @@ def corner(name, point):
 
 def box_of(lo, hi):
     """One box; hi is None where lo has both corners."""
+    if isinstance(lo, OrientedBox):
+        raise InputError(f"lo = {shown(lo)}; this call takes a box from lo to hi; overlap, find and crop take an OrientedBox")
     if hi is None:
         try:
             lo, hi = lo

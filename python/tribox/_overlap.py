@@ -29,7 +29,7 @@ def check_answer(held_, status, **arguments):
     check(status, **arguments)
 
 
-def overlap(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact", axes: int = ALL,
+def overlap(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact", axes: int = ALL,
             axis_order: int = 0, kernel: Optional[str] = None, packed: bool = False, out: Optional[Answer] = None) -> Answer:
     """Tests every triangle against the closed box from lo to hi. Returns an array of n bool.
 
@@ -45,7 +45,8 @@ def overlap(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, 
     Raises InputError (a ValueError), InputTypeError (a TypeError) or BadIndexError (an IndexError), which say which argument is
     wrong, how, and what to give. Nothing is written to out then.
     """
-    held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, axis_order, kernel)
+    held_, options = held(triangles), options_of(accuracy, axes, axis_order, kernel)
+    ask, box, said = asked_by(lo, hi, accuracy, axes)
     count = held_.struct.count
     words = None
     if out is not None:
@@ -53,9 +54,9 @@ def overlap(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, 
         words = out if packed else None
     if words is None:
         words = new_words(count)
-    status = _c.overlap(held_, box, options, pointer_to(words), ffi.NULL)
+    status = ask(held_, box, options, pointer_to(words), ffi.NULL)
     if status:
-        check_answer(held_, status, lo=lo, hi=hi)
+        check_answer(held_, status, **said)
     if packed:
         return words
     if out is None:
@@ -64,27 +65,41 @@ def overlap(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, 
     return out
 
 
-def find(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, what: Literal["hit", "miss"] = "hit", *,
+def asked_by(lo, hi, accuracy, axes):
+    """The call about a box or an oriented one, what it takes, and what to name in a message."""
+    if not isinstance(lo, OrientedBox):
+        return _c.overlap, box_of(lo, hi), dict(lo=lo, hi=hi)
+    if hi is not None:
+        raise InputError(f"hi = {shown(hi)}; give an OrientedBox alone, without hi")
+    check_oriented(accuracy, axes)
+    return _c.overlap_oriented, oriented_of(*lo), dict(zip(("center", "half", "axis"), lo))
+
+
+def find(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, what: Literal["hit", "miss"] = "hit", *,
          accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0, kernel: Optional[str] = None) -> Optional[int]:
     """The number of the first triangle that overlaps the box, or with what="miss" of the first that does not; None without one.
 
-    Most triangles after it are not tested. Other arguments and errors are as for overlap.
+    Most triangles after it are not tested, but with an OrientedBox all are. Other arguments and errors are as for overlap.
     """
-    held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, axis_order, kernel)
     if what not in WHATS:
         raise InputError(f"what = {shown(what)}; give one of {', '.join(map(repr, WHATS))}")
+    if isinstance(lo, OrientedBox):
+        hits = overlap(triangles, lo, hi, accuracy=accuracy, axes=axes, axis_order=axis_order, kernel=kernel)
+        numbers = np.flatnonzero(hits if what == "hit" else ~hits)
+        return int(numbers[0]) if len(numbers) else None
+    held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, axis_order, kernel)
     found = ffi.new("size_t *")
     check_answer(held_, _c.find(held_, box, options, WHATS[what], found), lo=lo, hi=hi)
     return int(found[0]) if found[0] < held_.struct.count else None
 
 
-def overlap_any(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact",
+def overlap_any(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact",
                 axes: int = ALL, axis_order: int = 0, kernel: Optional[str] = None) -> bool:
     """Whether any triangle overlaps the box: False where there is none. Arguments and errors are as for overlap."""
     return find(triangles, lo, hi, "hit", accuracy=accuracy, axes=axes, axis_order=axis_order, kernel=kernel) is not None
 
 
-def overlap_all(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact",
+def overlap_all(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact",
                 axes: int = ALL, axis_order: int = 0, kernel: Optional[str] = None) -> bool:
     """Whether all triangles overlap the box: True where there is none. Arguments and errors are as for overlap."""
     return find(triangles, lo, hi, "miss", accuracy=accuracy, axes=axes, axis_order=axis_order, kernel=kernel) is None
@@ -158,12 +173,8 @@ def overlap_oriented(triangles: TrianglesLike, center: Vector, half: Vector, axi
 
     Other arguments and errors are as for overlap.
     """
-    held_, box, options = held(triangles), oriented_of(center, half, axis), options_of(accuracy, axes, axis_order, kernel)
-    check_oriented(accuracy, axes)
-    mask = new_words(held_.struct.count)
-    status = _c.overlap_oriented(held_, box, options, pointer_to(mask), ffi.NULL)
-    check_answer(held_, status, center=center, half=half, axis=axis)
-    return mask if packed else bools(mask, held_.struct.count)
+    return overlap(triangles, OrientedBox(center, half, axis), accuracy=accuracy, axes=axes, axis_order=axis_order, kernel=kernel,
+                   packed=packed)
 
 
 def check_oriented(accuracy, axes):
@@ -237,12 +248,12 @@ def crop(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, i
     """
     held_ = held(triangles)
     options: Dict[str, Any] = {"accuracy": accuracy, "axes": axes, "axis_order": axis_order, "kernel": kernel}
-    if isinstance(lo, OrientedBox):
-        if inside or hi is not None:
-            raise InputError("inside is for boxes from lo to hi, and hi for those alone; give an OrientedBox without them")
-        mask = overlap_oriented(held_, *lo, **options)
+    if not inside:
+        mask = overlap(held_, lo, hi, **options)
+    elif isinstance(lo, OrientedBox):
+        raise InputError("inside is for boxes from lo to hi; give an OrientedBox without it")
     else:
-        mask = classify(held_, lo, hi, **options)[1] if inside else overlap(held_, lo, hi, **options)
+        mask = classify(held_, lo, hi, **options)[1]
     numbers = np.flatnonzero(~mask if rest else mask)
     if held_.faces is None:
         corners = 3 * numbers[:, None] + np.arange(3)

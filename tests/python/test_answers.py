@@ -78,7 +78,7 @@ PAIRS = [
     ("oriented7", lambda a: tribox.overlap_oriented(a.form, *a.oriented)),
     ("oriented7", lambda a: unpacked(tribox.overlap_oriented(a.form, *a.oriented, packed=True), a.count)),
     ("oriented7", lambda a: marked(tribox.crop(a.form, a.oriented).face_numbers.astype(np.uint32), a.count)),
-    ("oriented1", lambda a: tribox.overlap_oriented(a.form, *a.oriented, axes=BOX)),
+    ("oriented1", lambda a: tribox.overlap(a.form, a.oriented, axes=BOX)),
     *(way for name in ("index, box", "kept, box", "index, oriented", "kept, oriented") for way in ways_of_index(name)),
 ]
 
@@ -287,6 +287,9 @@ class Truth(Asking):
                 mask, oriented = cases.truth(triangles, lo, hi), tribox.OrientedBox(triangles[turn, 0], np.subtract(hi, lo) / 3,
                                                                                     axis)
                 hits = cases.meshes.overlapping(triangles, [*oriented.center, *oriented.half, *np.ravel(axis)])
+                misses = [number for number in range(24) if number not in hits]
+                self.assertEqual([tribox.find(triangles, oriented, what=what) for what in ("hit", "miss")],
+                                 [numbers[0] if len(numbers) else None for numbers in (hits, misses)])
                 answers = {"axes7": mask, "inside": ((triangles >= lo) & (triangles <= hi)).all((1, 2)),
                            "oriented7": marked(np.array(hits, np.uint32), 24)}
                 self.check_forms(cases.Question(name=name, triangles=triangles, box=(tuple(lo), tuple(hi)), oriented=oriented,

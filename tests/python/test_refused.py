@@ -79,9 +79,12 @@ def wrong_boxes():
     for odd in ([7], {}, 7.0, "7", np.array([7, 7]), 10 ** 400):
         yield InputError, "BAD_OPTION", "^axes = ", overlap, [TRIANGLES, LO, HI], dict(axes=odd)
     yield InputError, "BAD_OPTION", "axis_order = '123'", overlap, [TRIANGLES, LO, HI], dict(axis_order="123")
-    for keywords in ({"inside": True}, {"hi": HI}):
-        yield InputError, None, "give an OrientedBox without them", tribox.crop, [TRIANGLES,
-                                                                                  tribox.OrientedBox(LO, HI, EYE)], keywords
+    box = tribox.OrientedBox(LO, HI, EYE)
+    yield InputError, None, "give an OrientedBox without it", tribox.crop, [TRIANGLES, box], {"inside": True}
+    for call in (overlap, tribox.find, tribox.crop):
+        yield InputError, None, "^hi = .*; give an OrientedBox alone", call, [TRIANGLES, box, HI], {}
+    for call in (tribox.classify, tribox.split):
+        yield InputError, None, "overlap, find and crop take an OrientedBox", call, [TRIANGLES, box], {}
     split = [TRIANGLES, LO, HI]
     yield InputError, "BAD_BOX", r"middle = \(9, 0, 0\)", tribox.split, [*split, (9, 0, 0)], {}
     yield InputError, "BAD_OPTION", "axes = 2", tribox.split, split, dict(axes=tribox.AXES_PLANE)
