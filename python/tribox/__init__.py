@@ -71,8 +71,8 @@ the program: see examples/engines, which run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
 float64. Bounds of boxes and planes of grids are doubles: 0.1 is the double, np.float32(0.1) the float. A Soup holds float32. A
-triangle with a NaN or an infinity overlaps nothing. A wrong argument raises a tribox.Error. Calls use one thread if `threads` does
-not say otherwise, and release the interpreter's lock, so threads of yours run in parallel.
+triangle with a NaN or an infinity overlaps nothing. A wrong argument raises a tribox.Error. Calls use one thread; threads=0 takes
+one for each processor. They release the interpreter's lock, so threads of yours run in parallel.
 
 The library is the one in the wheel, or else the installed libtribox.so.1; the environment variable TRIBOX_LIBRARY may name another.
 Everything is typed; tribox.TrianglesLike is the type of what can be passed as triangles.

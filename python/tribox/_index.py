@@ -106,7 +106,7 @@ class Index:
         takes some 100 ns and 40 bytes for each triangle (76 of float64), and 16 more while it is made. True keeps their order: a
         Soup is then read where it lies and must not change; others are copied.
 
-    threads: how many may share the work of making it. None for one on each processor. The Index does not depend on it.
+    threads: how many may share the work of making it. 1 by default, 0 for one on each processor. The Index does not depend on it.
 
     Answers are those of tribox.overlap, exact about the numbers given, and use the numbers that the triangles have in the array,
     Mesh or Soup. A box is lo and hi, three numbers each, or lo alone of shape (2, 3), or an OrientedBox. accuracy, axes, axis_order
@@ -216,7 +216,7 @@ class Index:
         lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) where m is not 3; or lo alone, of shape (m, 2, 3). A box
             that is empty or not finite has no triangles.
 
-        threads: how many may share the boxes. None for one on each processor. The lists do not depend on it.
+        threads: how many may share the boxes. 1 by default, 0 for one on each processor. The lists do not depend on it.
 
         list: an array of uint32. start: m + 1 places, an array of intp. Boxes that are near in number should be near in space.
         """

@@ -16,14 +16,14 @@ def processors():
 
 
 def threads_of(threads):
-    """How many threads are wanted; one for each processor that this process may use where it is None."""
+    """How many threads are wanted; one for each processor that this process may use if it is 0 or None."""
     try:
-        count = processors() if threads is None else index(threads)
+        count = index(0 if threads is None else threads)
     except TypeError:
-        count = 0
-    if count < 1:
-        raise InputError(f"threads = {shown(threads)}; give a whole number, 1 or more, or None for one on each processor")
-    return count
+        count = -1
+    if count < 0:
+        raise InputError(f"threads = {shown(threads)}; give a whole number, or 0 for one on each processor")
+    return count or processors()
 
 
 parked: List["Helper"] = []  # that wait to be called, in place of being started anew

@@ -163,7 +163,7 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
     labels: with fill, tells the cells of the surface from those inside: voxels.labels() are 1 and 2, voxels.inside has only the
         cells inside, and files have labels. Not with into.
     threads: how many may share the work, if that saves time: with many triangles, or with many cells and few triangles; never more
-        than there are processors. None for one on each processor. The answers do not depend on it.
+        than there are processors. 1 by default, 0 for one on each processor. The answers do not depend on it.
     into: Voxels of the same grid and window, to which the cells are added, and which are returned.
     ids: True for Voxels whose ids say which triangle is in a cell: for each set cell the lowest number of one that overlaps it, in
         the order of cells(). A look-up turns them into colours, materials, parts: face_colors[voxels.ids]. Only for the surface,

@@ -215,7 +215,7 @@ def wrong_grids():
             yield InputError, None, pattern, call, [TRIANGLES, (origin, cell, (1, 1, 1))], {}
         for status, pattern, keywords in OPTIONS:
             yield InputError, status, pattern, call, [TRIANGLES, GRID], keywords
-        for odd in (0, -1, 1.5, "2"):
+        for odd in (-1, 1.5, "2"):
             yield InputError, None, "^threads = .*; give a whole number", call, [TRIANGLES, GRID], dict(threads=odd)
         yield InputError, None, f"^no grid; {WAYS}", call, [TRIANGLES], {}
         for given in (dict(cell=1, resolution=2), dict(grid=GRID, cell=1), dict(grid=GRID, resolution=2)):

@@ -52,7 +52,7 @@ for form in forms:
     overlaps, inside = tribox.classify(form, lo, hi)
     children: NDArray[np.uint8] = tribox.split(form, lo, hi, numbers=[0])
     turned: NDArray[np.bool_] = tribox.overlap_oriented(form, lo, hi, np.eye(3))
-    voxels: tribox.Voxels = tribox.voxelize(form, (lo, 0.5, (2, 2, 2)), threads=None, fill="outside", into=None)
+    voxels: tribox.Voxels = tribox.voxelize(form, (lo, 0.5, (2, 2, 2)), threads=0, fill="outside", into=None)
     around: tribox.Voxels = tribox.voxelize(form, resolution=np.int64(64), threads=2, layers=(0, 1))
     told: NDArray[np.uint8] = tribox.voxelize(form, resolution=8, thin=True, fill="parity", labels=True).labels()
     cubes = tribox.voxelize(form, cell=0.1) | tribox.voxelize(form, cell=(1, 2, np.float32(3)), window=((0, 0, 0), (1, 1, 1)))
