@@ -190,7 +190,8 @@ def by_cell(held_, cell):
 def by_resolution(held_, resolution):
     count = whole(resolution, 1, SIZE_MAX >> 1)
     if count is None:
-        raise InputError(f"resolution = {shown(resolution)}; give how many cells, 1 to 2^31 - 1, are to lie along the longest side")
+        raise InputError(f"resolution = {shown(resolution)}; give how many cells, an int from 1 to 2^31 - 1, are to lie along the "
+                         "longest side")
     lo, hi = bounds = bounds_for(held_)
     if lo == hi:
         raise InputError(f"triangles all lie in one point, {tuple(lo)}, and have no longest side; give cell, or a grid")

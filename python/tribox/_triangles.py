@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Optional, Sequence, Union
 
 import numpy as np
@@ -80,6 +81,19 @@ def of_polygons(mesh, faces):
 # trimesh, Open3D, meshio, PyVista, and whatever is like them.
 FORMS = (("vertices", "faces", as_they_are), ("vertices", "triangles", as_they_are), ("points", "cells_dict", of_blocks),
          ("points", "faces", of_polygons))
+
+
+def advice_about(what):
+    """What to give in place of something that is often taken for triangles; None if it is not known."""
+    if isinstance(what, (str, bytes, os.PathLike)):
+        return "meshio.read(path) or trimesh.load(path), the mesh of a file"
+    if hasattr(what, "GetPolys"):
+        return "pyvista.wrap(polydata).triangulate()"
+    if hasattr(what, "geometry") and hasattr(what, "graph"):
+        return "scene.to_mesh(), or in older versions of trimesh scene.dump(concatenate=True)"
+    if isinstance(what, (list, tuple)) and what and parts_of(what[0]):
+        return "one of them a call, with into= in voxelize; or one mesh made of all"
+    return None
 
 
 def parts_of(mesh):
@@ -287,6 +301,9 @@ def check_sound(status):
 
 
 def array_of_triangles(triangles):
+    advice = None if isinstance(triangles, np.ndarray) else advice_about(triangles)
+    if advice:
+        raise InputTypeError(f"triangles is of type {type(triangles).__name__}; give {advice}")
     array = numbers("triangles", triangles, "in an array of shape (n, 3, 3), or a mesh")
     if array.shape[1:] != (3, 3):
         raise InputError(f"triangles has shape {array.shape}; give (n, 3, 3): triangle, vertex, axis; or tribox.Mesh(vertices, "

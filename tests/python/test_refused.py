@@ -85,6 +85,10 @@ def wrong_boxes():
         yield InputError, None, "^hi = .*; give an OrientedBox alone", call, [TRIANGLES, box, HI], {}
     for call in (tribox.classify, tribox.split):
         yield InputError, None, "overlap, find and crop take an OrientedBox", call, [TRIANGLES, box], {}
+    of_vtk, scene = SimpleNamespace(GetPolys=None), SimpleNamespace(geometry={}, graph=None)
+    for odd, pattern in (("cube.ply", r"str; give meshio.read\(path\)"), (os, "give real numbers"), (of_vtk, "pyvista.wrap"),
+                         (scene, r"scene.to_mesh\(\)"), ([tribox.Mesh(VERTICES, FACES)] * 2, "list; give one of them a call")):
+        yield InputTypeError, None, f"^triangles is .*{pattern}", overlap, [odd, LO, HI], {}
     split = [TRIANGLES, LO, HI]
     yield InputError, "BAD_BOX", r"middle = \(9, 0, 0\)", tribox.split, [*split, (9, 0, 0)], {}
     yield InputError, "BAD_OPTION", "axes = 2", tribox.split, split, dict(axes=tribox.AXES_PLANE)
