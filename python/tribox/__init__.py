@@ -66,7 +66,7 @@ cell_lists() says which triangles are in which cell, in the order of voxels.cell
     (array([0, 2, 0], dtype=uint32), array([0], dtype=uint32))
     >>> lowest = lists.triangles[lists.start[:-1]]    # one for each cell: colours[lowest] are its colours
 
-Voxels and Bricks have save() for files; Bricks.load reads files of bricks. Meshes larger than memory, and many machines, are for
+Voxels and Bricks have save() and load() for files. Meshes larger than memory, and many machines, are for
 the program: see examples/engines, which run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._arguments import options_of, range_of
+from ._errors import InputError
 from ._files import load_bricks, save_bricks
 from ._grids import Grid, grid_given
 from ._masks import BYTE, WORD, bools, row_words
@@ -21,7 +22,8 @@ from ._tiles import (NUMBER, Listed, Tiling, Workshop, bits_of_bricks, brick_ids
                      set_with_ids, side_of)
 from ._triangles import held
 from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
-from ._voxels import middles
+from ._voxelize import new_cells
+from ._voxels import Voxels, middles
 
 BATCH_BYTES, BATCH_MAX = 1 << 20, 1 << 10  # of tiles that are cut into bricks at once
 
@@ -57,6 +59,16 @@ class Bricks:
         """
         return Bricks(*load_bricks(path))
 
+    def voxels(self) -> Voxels:
+        """All cells of the grid, also the clear ones, as Voxels with ids and labels. InputError for a part, and over 16 GiB."""
+        if self.shard:
+            raise InputError(f"these Bricks are shard {self.shard[0]} of {self.shard[1]}; tribox merge makes one file of all")
+        shape = self.grid.size[::-1]
+        voxels = Voxels(dense(self.at, self.bits, shape, self.grid), self.grid)
+        if self.ids is not None:
+            voxels._with_ids(self.ids[np.lexsort(self.cells().T)])
+        return voxels if self.inside is None else voxels._with_inside(dense(self.at, self.inside, shape, self.grid))
+
     def cells(self) -> NDArray[np.int64]:
         """The set cells, (i, j, k) each: an array of int64 of shape (m, 3), in the order of the bricks."""
         brick, k, j, i = np.nonzero(bits_of_bricks(self.bits))
@@ -86,6 +98,18 @@ def cut(words, corners):
     tile, k, j, i = np.nonzero(is_any)
     at = corners[tile] + np.stack([i, j, k], 1)
     return at.astype(NUMBER), bits_at(words, tile, i, j, k)
+
+
+def dense(at, bits, shape, grid):
+    """The words of all cells of such a grid."""
+    nz, ny, nx = (-(-size // 8) * 8 for size in shape)
+    words, are_clear = new_cells((nz, ny, nx), grid)
+    if not are_clear:
+        words[...] = 0
+    i, j, k = at.T
+    octets = words.view(BYTE).reshape(nz // 8, 8, ny // 8, 8, 8 * row_words(nx))
+    octets[k, :, j, :, i] = little(bits).view(BYTE).reshape(-1, 8, 8)
+    return np.ascontiguousarray(little(words)[:shape[0], :shape[1], :row_words(shape[2])])
 
 
 def bits_at(words, tile, i, j, k):

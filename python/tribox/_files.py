@@ -2,13 +2,14 @@
 
 import errno
 import os
+import re
 import secrets
 from collections import namedtuple
 from contextlib import suppress
 
 import numpy as np
 
-from ._errors import InputError, shown
+from ._errors import Error, InputError, shown
 from ._grids import Grid
 from ._masks import bools, labels_of
 
@@ -177,6 +178,61 @@ def read(path):
             if isinstance(error, OSError) and error.errno not in (None, errno.EINVAL):
                 raise
             raise InputError(f"{path}: not a .npz file of bricks, or a damaged one: {error}") from error
+
+
+def ending_of_input(path):
+    """Of a file of cells that can be read here."""
+    if not isinstance(path, (str, os.PathLike)):
+        raise InputError(f"path = {shown(path)}; give the path of a file")
+    ending = os.path.splitext(path)[1].lower()
+    if ending == ".npy":
+        raise InputError(f"path = {shown(path)}; a .npy has no grid: tribox.Voxels(numpy.load(path), grid) makes Voxels of it")
+    if ending != ".npz" and ending not in HEADS:
+        raise InputError(f"path = {shown(path)}; here files are read whose names end in .npz, {', '.join(HEADS)}")
+    return ending
+
+
+def numbers_in(text):
+    return tuple(map(float, re.findall(r"[-+.\w]+", text)))
+
+
+def grid_of_nrrd(head):
+    fields = dict(line.split(": ", 1) for line in head.splitlines() if ": " in line and line[0] != "#")
+    cell = numbers_in(fields["space directions"])[::4]
+    origin = [middle - side / 2 for middle, side in zip(numbers_in(fields["space origin"]), cell)]
+    return Grid(origin, cell, map(int, fields["sizes"].split())), fields["type"].partition("\n")[0]
+
+
+def grid_of_vti(head):
+    attributes = dict(re.findall(r'(\w+)="([^"]*)"', head))
+    size = map(int, attributes["WholeExtent"].split()[1::2])
+    return Grid(numbers_in(attributes["Origin"]), numbers_in(attributes["Spacing"]), size), attributes["type"]
+
+
+# The end of a head, how many bytes lie between it and the cells, how many behind these, and what the head says.
+HEADS = {".nrrd": (b"\n\n", 0, 0, grid_of_nrrd),
+         ".vti": (b'<AppendedData encoding="raw">\n   _', 8, len("\n  </AppendedData>\n</VTKFile>\n"), grid_of_vti)}
+HEAD_MAX = 4096
+TYPES = {name: np.dtype(kind.dtype) for kind in (LABELS, IDS) for name in (kind.nrrd.partition("\n")[0], kind.vtk)}
+
+
+def load_dense(path):
+    """An array of a number for each cell, the grid, and whether they are labels."""
+    end, before, behind, grid_of_head = HEADS[ending_of_input(path)]
+    with open(path, "rb") as file:
+        head, found, _ = file.read(HEAD_MAX).partition(end)
+        try:
+            grid, type_ = grid_of_head(head.decode("ascii"))
+            dtype = TYPES[type_]
+        except (Error, ValueError, LookupError) as error:
+            raise InputError(f"{path}: not a file of cells as tribox writes them: {error}") from error
+        start, count = len(head) + len(end) + before, int(np.prod(grid.size, dtype=np.uint64))
+        octets = os.fstat(file.fileno()).st_size
+        if not found or octets != start + count * dtype.itemsize + behind:
+            raise InputError(f"{path}: damaged: {octets} bytes, and {grid.sides()} of {dtype}")
+        file.seek(start)
+        is_labels = LABELS.remark.encode() in head or f'Name="{LABELS.name}"'.encode() in head
+        return np.fromfile(file, dtype, count).reshape(grid.size[::-1]), grid, is_labels
 
 
 def load_bricks(path):

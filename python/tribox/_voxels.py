@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ._arguments import wholes
 from ._errors import InputError, InputTypeError, shown
 from ._ffi import ffi
-from ._files import save_voxels
+from ._files import ending_of_input, load_dense, save_voxels
 from ._grids import SIZE_MAX, Grid
 from ._library import lib
 from ._masks import BOOL, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
@@ -256,6 +256,25 @@ class Voxels(NDArrayOperatorsMixin, metaclass=WithoutOperators):
         Raises InputError for other kinds, and OSError if the file cannot be written: what had the name before is then still there.
         """
         save_voxels(self, os.fspath(path))
+
+    @staticmethod
+    def load(path: Union[str, "os.PathLike[str]"]) -> Voxels:
+        """Reads a file that save() or the program tribox wrote: .npz, .nrrd or .vti, with its grid, labels and ids.
+
+        A .nrrd says where the middle of the first cell is, so the origin of its grid may be off by the rounding of that. A .npy
+        has no grid: Voxels(numpy.load(path), grid).
+
+        Raises InputError for other files, for damaged ones, and for a part of a whole.
+        """
+        from ._bricks import Bricks  # which is made of Voxels
+
+        if ending_of_input(path) == ".npz":
+            return Bricks.load(path).voxels()
+        cells, grid, is_labels = load_dense(os.fspath(path))
+        if cells.dtype.kind == "i":
+            return Voxels(cells >= 0, grid)._with_ids(cells[cells >= 0].astype(np.uint32))
+        voxels = Voxels(cells != 0, grid)
+        return voxels._with_inside(rows_of_words(cells == 2)) if is_labels else voxels
 
 
 def middles(grid, cells):

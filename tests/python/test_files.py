@@ -213,6 +213,34 @@ class Files(cases.TestCase):
             self.assertIsNone(tribox.Bricks.load(self.saved(thing.inside, ".npz")).inside)
         self.assertIsNone(tribox.Bricks.load(self.saved(tribox.voxelize(cases.some(), GRIDS["tenths"]), ".npz")).ids)
 
+    def test_read_again(self):
+        """Voxels of each file are those that were saved, with grid, ids and labels."""
+        told = (*self.voxels(), tribox.voxelize(cases.some(), GRIDS["tenths"], ids=True),
+                tribox.voxelize(cases.some(), resolution=70, ids=True),
+                tribox.voxelize(cases.some(), resolution=30, fill="outside", labels=True))
+        for voxels in told:
+            for ending in (".npz", ".nrrd", ".VTI"):
+                again = tribox.Voxels.load(self.saved(voxels, ending))
+                np.testing.assert_array_equal(again.words, voxels.words)
+                origin, cell, size = map(np.array, voxels.grid)
+                ulp = np.spacing(np.maximum(abs(origin), abs(origin + cell / 2))) * (ending == ".nrrd")
+                self.assertTrue((abs(origin - again.grid.origin) <= ulp).all())
+                self.assertEqual((again.window, again.grid.cell, again.grid.size), (voxels.window, (*cell,), (*size,)))
+                for name in ("_ids", "_inside"):
+                    self.assertEqual(getattr(again, name) is None, getattr(voxels, name) is None)
+                    np.testing.assert_array_equal(getattr(again, name), getattr(voxels, name))
+        for ending in (".nrrd", ".vti"):
+            path = self.saved(told[-1], ending)
+            octets = path.read_bytes()
+            other = octets.replace(b"uint8", b"uint9").replace(b"UInt8", b"X")
+            for content in (octets[:-1], octets + b"x", octets[:50], b"", other):
+                path.write_bytes(content)
+                self.refuse(tribox.InputError, None, f"{path.name}: (not a file of cells|damaged: )", tribox.Voxels.load, path)
+        part = tribox.Bricks(*self.bricks(told[1]), told[1].grid, shard=(2, 5))
+        self.refuse(tribox.InputError, None, "shard 2 of 5; tribox merge", part.voxels)
+        for path, pattern in ((3, "give the path"), ("x.npy", "has no grid: tribox.Voxels"), ("x.vdb", "end in .npz, .nrrd, .vti")):
+            self.refuse(tribox.InputError, None, f"^path = .*{pattern}", tribox.Voxels.load, path)
+
     def test_refused(self):
         voxels, refuse = next(self.voxels()), self.refuse
         bricks = tribox.bricks(cases.lattice(9), GRIDS["tenths"])
