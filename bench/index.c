@@ -19,7 +19,7 @@ typedef enum kind { OF_FILE, OF_CUTS, TURNED, WIDE_BOXES, OF_MESH, OF_DOUBLES, K
 static const char *const kind_names[KINDS] = {"file",           "cuts",           "turned boxes", "boxes of doubles",
                                               "mesh of floats", "mesh of doubles"};
 
-enum { BOX_SIZES = 4, TRIES = 3, MANY_SIZES = 2 };
+enum { BOX_SIZES = 4, ORDERINGS = 3, MANY_SIZES = 2 };
 static const double box_part[BOX_SIZES] = {0.001, 0.01, 0.1, 0.5};
 
 /* A linear pass has as many boxes as there is time for: one costs hardly more than another, but turned ones do. */
@@ -31,7 +31,7 @@ static const double sample_seconds = 2e-3;
 typedef struct scene_result {
     const char *name;
     size_t triangles;
-    double us[BOX_SIZES][KINDS][FORMS], reading, build[KINDS], memory;
+    double us[BOX_SIZES][KINDS][FORMS], reading, order, gather, build[KINDS], memory;
 } scene_result;
 
 /* Of one soup. */
@@ -112,7 +112,7 @@ static bool make(const scene *at, size_t boxes, size_t evicted, const char *kern
     const size_t count = at->work.pairs;
     *f = (field){.scene = at, .count = boxes};
     answer_room_make(count, evicted, &f->room);
-    if (!ordered_soup_make(at, TRIES, kernel, &f->cuts))
+    if (!ordered_soup_make(at, kernel, &f->cuts))
         return false;
     f->floats = asked_allocate(3 * count, sizeof *f->floats);
     f->doubles = asked_allocate(3 * count, sizeof *f->doubles);
@@ -162,6 +162,18 @@ CONTESTANT_RUN(run_build)
     return !tribox_index_build(index, &self->options, (void *)(uintptr_t)index->nodes);
 }
 
+CONTESTANT_RUN(run_order)
+{
+    const ordered_soup *const made = self->question;
+    return !tribox_soup_sort(made->file, made->ids, made->scratch);
+}
+
+CONTESTANT_RUN(run_gather)
+{
+    const ordered_soup *const made = self->question;
+    return !tribox_soup_gather(made->file, made->ids, 0, made->soup.count, made->to, made->to + 3, made->to + 6);
+}
+
 static void measure_builds(asked *q, field *f, effort how, scene_result *r)
 {
     static const kind kinds[] = {OF_FILE, OF_CUTS, OF_MESH, OF_DOUBLES};
@@ -178,16 +190,21 @@ static void measure_builds(asked *q, field *f, effort how, scene_result *r)
     for (size_t k = 0; k < BUILDS; k++)
         r->build[kinds[k]] = measure_least(&q->taken, k);
     r->reading = measure_least(&q->taken, BUILDS);
+    for (size_t k = 0; k < 2; k++)
+        list[k] = (contestant){.run = k ? run_gather : run_order, .question = &f->cuts, .pairs = (double)r->triangles};
+    asked_measure(q, "order", list, 2, NULL, (effort){.rounds = ORDERINGS, .seconds = 1e9}, 1);
+    r->order = measure_least(&q->taken, 0);
+    r->gather = measure_least(&q->taken, 1);
 }
 
 /* After how many lists of boxes of a size order, gathering and build are paid back. */
-static double pays_after(const scene_result *r, const field *f, kind k, int size)
+static double pays_after(const scene_result *r, kind k, int size)
 {
-    const double ns = (k == OF_CUTS ? f->cuts.cost.order + f->cuts.cost.gather : 0) + r->build[k];
+    const double ns = (k == OF_CUTS ? r->order + r->gather : 0) + r->build[k];
     return ceil(1e-3 * (double)r->triangles * ns / (r->us[size][OF_FILE][FORM_LINEAR] - r->us[size][k][FORM_LIST]));
 }
 
-static void tell_builds(asked *q, const field *f, const scene_result *r)
+static void tell_builds(asked *q, const scene_result *r)
 {
     static const char *const paid[BOX_SIZES] = {"paid_by_0.1_%", "by_1_%", "by_10_%", "by_50_%_lists"};
     printout_table(&q->out, "%s: ns a triangle; reading the streams takes %.2f, the index %.3f %% of their memory", r->name,
@@ -195,11 +212,11 @@ static void tell_builds(asked *q, const field *f, const scene_result *r)
     for (kind k = OF_FILE; k < KINDS; k++) {
         if (k == TURNED || k == WIDE_BOXES)
             continue;
-        ADD(&q->out, TEXT("of", kind_names[k]), NUMBER("order", 1, k == OF_CUTS ? f->cuts.cost.order : (double)NAN),
-            NUMBER("gather", 1, k == OF_CUTS ? f->cuts.cost.gather : (double)NAN), NUMBER("build", 2, r->build[k]),
+        ADD(&q->out, TEXT("of", kind_names[k]), NUMBER("order", 1, k == OF_CUTS ? r->order : (double)NAN),
+            NUMBER("gather", 1, k == OF_CUTS ? r->gather : (double)NAN), NUMBER("build", 2, r->build[k]),
             NUMBER("times_reading", 2, r->build[k] / r->reading));
         for (int p = 0; p < BOX_SIZES; p++)
-            ADD(&q->out, NUMBER(paid[p], 0, k <= OF_CUTS ? pays_after(r, f, k, p) : (double)NAN));
+            ADD(&q->out, NUMBER(paid[p], 0, k <= OF_CUTS ? pays_after(r, k, p) : (double)NAN));
         printout_row(&q->out);
     }
 }
@@ -356,7 +373,7 @@ static bool ask_scene(asked *q, scene *at, size_t number)
     for (int p = 0; is_right && p < BOX_SIZES; p++)
         is_right = ask_size(q, &f, p, how, r);
     if (is_right) {
-        tell_builds(q, &f, r);
+        tell_builds(q, r);
         printout_table(&q->out, "%s: lists of many boxes in one call, ns a box", r->name);
     }
     for (int p = 0; is_right && p < MANY_SIZES; p++)

@@ -1,11 +1,9 @@
 /* box_scenes.c - soups to be asked about many boxes, in order by cuts, and the forms in which an index answers, verified. */
-#define _POSIX_C_SOURCE 200809L
 #include "box_scenes.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "read/mesh.h"
 #include "rivals.h"
@@ -224,56 +222,25 @@ void scene_boxes(const scene *at, double part, size_t count, uint64_t seed, trib
 
 /* ---- order by cuts ----------------------------------------------------------------------------------------------------------- */
 
-/* Of the processor, as in timing/timing.c. */
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/* Keeps the lesser time; returns when the next step begins. */
-static double keep_least(double *least, double begin, size_t count)
-{
-    const double now = seconds_now();
-    *least = fmin(*least, 1e9 * (now - begin) / (double)count);
-    return seconds_now();
-}
-
-static bool try_once(const tribox_soup *soup, float *const to[9], const char *kernel, void *scratch, ordered_soup *made)
-{
-    double begin = seconds_now();
-    if (tribox_soup_sort(soup, made->ids, scratch))
-        return false;
-    begin = keep_least(&made->cost.order, begin, soup->count);
-    if (tribox_soup_gather(soup, made->ids, 0, soup->count, to, to + 3, to + 6))
-        return false;
-    begin = keep_least(&made->cost.gather, begin, soup->count);
-    if (tribox_index_build(&made->index, &(tribox_options){.kernel = kernel}, made->memory))
-        return false;
-    keep_least(&made->cost.build, begin, soup->count);
-    return true;
-}
-
-bool ordered_soup_make(const scene *at, int tries, const char *kernel, ordered_soup *made)
+bool ordered_soup_make(const scene *at, const char *kernel, ordered_soup *made)
 {
     const size_t count = at->work.pairs, stride = timing_work_room(count) + 32; /* not the same place of a page */
-    void *const scratch = asked_allocate(count, 16);
-    float *const streams = asked_allocate(9 * stride, sizeof *streams), *to[9];
-    *made = (ordered_soup){.soup = {.count = count},
+    float *const streams = asked_allocate(9 * stride, sizeof *streams), **const to = made->to;
+    *made = (ordered_soup){.file = &at->work.jobs[0].soup,
+                           .soup = {.count = count},
                            .ids = asked_allocate(count, sizeof *made->ids),
                            .memory = asked_allocate(tribox_index_bytes(count), 1),
-                           .cost = {INFINITY, INFINITY, INFINITY}};
-    bool is_made = true;
+                           .scratch = asked_allocate(count, 16)};
     for (size_t v = 0; v < 3; v++) {
         made->soup.x[v] = to[v] = streams + v * stride;
         made->soup.y[v] = to[3 + v] = streams + (3 + v) * stride;
         made->soup.z[v] = to[6 + v] = streams + (6 + v) * stride;
     }
     made->index = (tribox_index){.nodes = made->memory, .soup = &made->soup, .ids = made->ids};
-    for (int t = 0; is_made && t < tries; t++)
-        is_made = try_once(&at->work.jobs[0].soup, to, kernel, scratch, made);
-    return is_made || message_failure("%s cannot be ordered or indexed", at->name) == EXIT_CODE_OK;
+    return (!tribox_soup_sort(made->file, made->ids, made->scratch) &&
+            !tribox_soup_gather(made->file, made->ids, 0, count, to, to + 3, to + 6) &&
+            !tribox_index_build(&made->index, &(tribox_options){.kernel = kernel}, made->memory)) ||
+           message_failure("%s cannot be ordered or indexed", at->name) == EXIT_CODE_OK;
 }
 
 /* ---- forms of answers -------------------------------------------------------------------------------------------------------- */

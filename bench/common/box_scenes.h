@@ -34,22 +34,18 @@ size_t scene_boxes_within(const scene *at, size_t pairs, size_t most);
 /* Cubes whose edge is `part` of the greatest extent, each around a random point of a random triangle. */
 void scene_boxes(const scene *at, double part, size_t count, uint64_t seed, tribox_box *boxes);
 
-/* Nanoseconds of a triangle, the least of some tries. */
-typedef struct order_cost {
-    double order, gather, build;
-} order_cost;
-
-/* Refers to itself: it stays where it is made. What it has is asked_allocate's. */
+/* In order by cuts. Refers to itself: it stays where it is made. What it has is asked_allocate's. */
 typedef struct ordered_soup {
+    const tribox_soup *file;
     tribox_soup soup;
+    float *to[9];  /* its streams */
     uint32_t *ids; /* the triangles' numbers in the file */
-    void *memory;
+    void *memory, *scratch;
     tribox_index index;
-    order_cost cost;
 } ordered_soup;
 
-/* tries: of which the least times are kept. kernel: of the index. False, with a message, if the library fails. */
-bool ordered_soup_make(const scene *at, int tries, const char *kernel, ordered_soup *made);
+/* kernel: of the index. False, with a message, if the library fails. */
+bool ordered_soup_make(const scene *at, const char *kernel, ordered_soup *made);
 
 typedef enum index_form { FORM_LIST, FORM_COUNT, FORM_ANY, FORM_WORDS, FORM_MASK, FORM_LINEAR, FORMS } index_form;
 
