@@ -7,7 +7,8 @@ Then a box of 1,000 by Index.lists, about triangles that near it are as dense as
 of float64 one by one, which is to take 1.2 times as long at most.
 
 Of meshes, binary PLY of float32 vertices and triangles as those of Stanford, it says instead what a second thread gains, in
-milliseconds of wall, the least of the rounds: voxelize for grids of a growing resolution, Index, and 1,000 boxes of 1 % of its width.
+milliseconds of wall, the least of the rounds: voxelize for grids of a growing resolution, Index, and 1,000 boxes of 1 % of its
+width.
 """
 
 import argparse
