@@ -105,35 +105,6 @@ static int write_bricks(merging *m, part *parts, size_t count, file_out *out)
     return code ? code : file_out_keep(out);
 }
 
-static const char fewer[] = "choose a sparse format, -o FILE.npz or .vdb, without a picture";
-
-/* A dense format and the picture take all cells at once. */
-static int take_words(merging *m)
-{
-    const tribox_grid *const grid = &m->cells.grid;
-    const result_request *const result = &m->r->result;
-    int code = EXIT_CODE_OK;
-    if (!result->format->writer->bricks || result->preview_path)
-        code = voxels_check_words(grid, fewer);
-    if (code || !result->preview_path)
-        return code;
-    const size_t words = voxels_layer_words(grid) * grid->size[2];
-    code = voxels_check_memory(grid, (uint64_t)words * sizeof *m->words + preview_memory(&result->look), fewer);
-    if (code)
-        return code;
-    m->words = calloc(words, sizeof *m->words);
-    return m->words ? EXIT_CODE_OK : message_failure("out of memory for the picture");
-}
-
-static int draw(const merging *m, file_out *picture)
-{
-    const voxels_slab slab = {.layers = m->cells.grid.size[2], .bits = m->words};
-    voxels v = m->cells;
-    v.slab = &slab;
-    v.slabs = 1;
-    return preview_draw(picture, &v, &m->r->result.look, processors_here(), !m->r->result.is_quiet);
-}
-
 static int write_files(merging *m, part *parts, size_t count)
 {
     const result_request *const result = &m->r->result;
@@ -145,8 +116,8 @@ static int write_files(merging *m, part *parts, size_t count)
     code = file_out_open(&picture, result->preview_path);
     if (!code) {
         code = write_bricks(m, parts, count, &out);
-        if (!code && m->words)
-            code = draw(m, &picture);
+        if (!code)
+            code = result_draw(result, &m->cells, m->words, m->r->threads, &picture);
         file_out_drop(&picture);
     }
     file_out_drop(&out);
@@ -167,6 +138,8 @@ static int check_ids(const merge_request *r, const part *parts)
                                  format->word, volume_endings("ids").text);
 }
 
+static const char fewer[] = "choose a sparse format, -o FILE.npz or .vdb, without a picture";
+
 static int merge(const merge_request *r, part *parts, size_t count)
 {
     int code = part_join(parts, count);
@@ -180,7 +153,7 @@ static int merge(const merge_request *r, part *parts, size_t count)
     if (!code && r->result.format->writer->check_grid)
         code = r->result.format->writer->check_grid(r->result.out_path, &m.cells.grid);
     if (!code)
-        code = take_words(&m);
+        code = result_take_words(&r->result, &m.cells.grid, fewer, fewer, &m.words);
     if (!code) {
         interrupt_advise("nothing was written, the parts stay good; run it again");
         code = write_files(&m, parts, count);

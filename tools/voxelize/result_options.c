@@ -2,6 +2,7 @@
 #include "result_options.h"
 
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "console/message.h"
@@ -104,4 +105,32 @@ int result_check(result_request *r, const options_found *found, const char *what
     const file_out_names names = result_names(r);
     const int code = file_out_check(&names, what, read, count);
     return code ? code : preview_check(r->preview_path, "--preview");
+}
+
+int result_take_words(const result_request *r, const tribox_grid *grid, const char *instead, const char *no_picture,
+                      uint64_t **words)
+{
+    const size_t count = voxels_layer_words(grid) * grid->size[2];
+    int code = EXIT_CODE_OK;
+    *words = NULL;
+    if (r->format && !r->format->writer->bricks)
+        code = voxels_check_words(grid, instead);
+    if (code || !r->preview_path)
+        return code;
+    code = voxels_check_words(grid, no_picture);
+    if (!code)
+        code = voxels_check_memory(grid, (uint64_t)count * sizeof **words + preview_memory(&r->look), no_picture);
+    if (code)
+        return code;
+    *words = calloc(count, sizeof **words);
+    return *words ? EXIT_CODE_OK : message_failure("out of memory for the picture");
+}
+
+int result_draw(const result_request *r, const voxels *cells, const uint64_t *words, unsigned threads, file_out *picture)
+{
+    const voxels_slab slab = {.layers = cells->grid.size[2], .bits = words};
+    voxels v = *cells;
+    v.slab = &slab;
+    v.slabs = 1;
+    return words ? preview_draw(picture, &v, &r->look, threads, !r->is_quiet) : EXIT_CODE_OK;
 }

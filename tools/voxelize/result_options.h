@@ -63,6 +63,16 @@ void result_guess_up(result_request *r, const char *mesh_path);
 /* Which axis is up, and why, for the summary. */
 const char *result_up(const result_request *r);
 
+/*
+ * Refuses a dense format of too many cells, and takes the words of all cells for a picture, zeros; NULL without one. instead,
+ * no_picture: what to do. Returns an exit_code.
+ */
+int result_take_words(const result_request *r, const tribox_grid *grid, const char *instead, const char *no_picture,
+                      uint64_t **words);
+
+/* Draws them, in the grid of `cells`, and keeps the file; nothing without words. Returns an exit_code. */
+int result_draw(const result_request *r, const voxels *cells, const uint64_t *words, unsigned threads, file_out *picture);
+
 /* The names of its files. */
 file_out_names result_names(const result_request *r);
 

@@ -1,5 +1,6 @@
 /* voxelize_by_tiles.c - a mesh or a partition tile by tile: sparse formats, shards, and mere counts. */
 #define _POSIX_C_SOURCE 200809L
+
 #include <stdlib.h>
 
 #include "console/clock.h"
@@ -136,50 +137,19 @@ static int run_to_file(const tile_job *j, voxelize_files *files, brick_goals *go
     return code ? code : file_out_keep(&files->out);
 }
 
-static int draw(const tile_job *j, voxelize_files *files, const uint64_t *words)
-{
-    const voxels_slab slab = {.layers = j->in->cells.grid.size[2], .bits = words};
-    voxels v = j->in->cells;
-    v.slab = &slab;
-    v.slabs = 1;
-    return preview_draw(&files->picture, &v, &j->r->result.look, j->r->threads, !j->r->result.is_quiet);
-}
-
-static const char instead_of_picture[] = "choose fewer cells, or leave out the picture";
-static const char instead_of_dense[] = "choose fewer cells, or write bricks, -o FILE.npz or .vdb";
-
-/* The picture takes all cells at once. */
-static int take_words(const tile_job *j, uint64_t **words)
-{
-    const tribox_grid *const grid = &j->in->cells.grid;
-    const result_request *const result = &j->r->result;
-    int code = EXIT_CODE_OK;
-    *words = NULL;
-    if (result->format && !result->format->writer->bricks)
-        code = voxels_check_words(grid, instead_of_dense);
-    if (code || !result->preview_path)
-        return code;
-    code = voxels_check_words(grid, instead_of_picture);
-    if (code)
-        return code;
-    const size_t count = voxels_layer_words(grid) * grid->size[2];
-    code = voxels_check_memory(grid, (uint64_t)count * sizeof **words + preview_memory(&result->look), instead_of_picture);
-    if (code)
-        return code;
-    *words = calloc(count, sizeof **words);
-    return *words ? EXIT_CODE_OK : message_failure("out of memory for the picture");
-}
-
 static int run_job(const tile_job *j, voxelize_files *files, voxelize_answer *a)
 {
+    static const char fewer[] = "choose fewer cells, or write bricks, -o FILE.npz or .vdb";
+    const result_request *const result = &j->r->result;
+    const voxels *const cells = &j->in->cells;
     uint64_t *words;
-    int code = take_words(j, &words);
+    int code = result_take_words(result, &cells->grid, fewer, "choose fewer cells, or leave out the picture", &words);
     if (code)
         return code;
-    brick_goals goals = {.cells = &j->in->cells, .words = words};
+    brick_goals goals = {.cells = cells, .words = words};
     code = j->r->is_count ? run_crew(j, &goals, a) : run_to_file(j, files, &goals, a);
-    if (!code && words)
-        code = draw(j, files, words);
+    if (!code)
+        code = result_draw(result, cells, words, j->r->threads, &files->picture);
     free(words);
     return code;
 }
