@@ -451,50 +451,6 @@ CASE(test_floats)
         }
 }
 
-/* A search ends where it has found something, or at the index that names no vertex; for the empty box before it has begun. */
-static void check_search_that_may_stop(const tribox_mesh *mesh, const tribox_options *options, tribox_find_what what)
-{
-    const bool is_empty = box.lo[0] > box.hi[0] || box.lo[1] > box.hi[1] || box.lo[2] > box.hi[2];
-    size_t first = 12345;
-    const tribox_status status = tribox_mesh_find(mesh, &box, options, what, &first);
-    if (status == TRIBOX_BAD_VERTEX)
-        assert_int_equal(first, 12345);
-    else if (status || first != first_bit(wanted_mask, mesh->count, what == TRIBOX_FIRST_HIT) ||
-             (first == mesh->count && !is_empty))
-        fail_msg("%s: a search returns %s and finds %zu", doing, tribox_status_text(status), first);
-}
-
-/* Indices that reach a part of the vertices, the last of them at the end of memory; others that name one that is not there. */
-CASE(test_bad_indices)
-{
-    random_source r = random_named(args.seed, "bad indices");
-    for (int round = 0; round < 100; round++) {
-        const size_t count = 1 + random_below(&r, round % 3 ? 150 : LAID_MOST);
-        mesh_form form = mesh_form_draw(&r, false);
-        form.index_bytes = form.index_bytes ? form.index_bytes : 4;
-        form.is_shared = false;
-        draw_triangles(&r, count);
-        tribox_mesh mesh = laid_mesh_of(&r, &form, (const double(*)[3][3])triangles, count, permutations[0], fences);
-        const tribox_options options = {.accuracy = (tribox_accuracy)(round % 3), .kernel = names[round % kernels]};
-        want(count, options.accuracy, TRIBOX_AXES_ALL, options.kernel);
-        mesh.vertices = 3 * count - 1;
-        const fenced mask = fenced_place(mask_fence, 8 * tribox_mask_words(count), AT_END),
-                     inside = fenced_place(inside_fence, 8 * tribox_mask_words(count), AT_END),
-                     report = fenced_place(report_fence, sizeof(tribox_report), AT_END);
-        uint64_t *const to = (uint64_t *)(void *)mask.at, *const also = (uint64_t *)(void *)inside.at;
-        tribox_report *const counts = (tribox_report *)(void *)report.at;
-        say("a vertex too few", &mesh, &options);
-        assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, to, counts), TRIBOX_BAD_VERTEX);
-        assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, NULL, counts), TRIBOX_BAD_VERTEX);
-        assert_int_equal(tribox_mesh_classify(&mesh, &box, &options, to, also, counts), TRIBOX_BAD_VERTEX);
-        check_search_that_may_stop(&mesh, &options, TRIBOX_FIRST_HIT);
-        check_search_that_may_stop(&mesh, &options, TRIBOX_FIRST_MISS);
-        assert_nothing_written(&mask);
-        assert_nothing_written(&inside);
-        assert_nothing_written(&report);
-    }
-}
-
 enum { WINDOW_TRIANGLES = 60000, WINDOW_VERTICES = 150000 };
 
 /* Numbers that mostly grow, some behind by less than 2^16 or more, and runs from anywhere, above all about multiples of 2^16. */
@@ -585,5 +541,4 @@ CASE(test_windows)
 }
 
 PROGRAM_AFTER(set_up, RUN(test_lengths), RUN(test_strides), RUN(test_patterns), RUN(test_ranges),
-              RUN(test_more_vertices_than_named), RUN(test_windows), RUN(test_blocks), RUN(test_beside), RUN(test_floats),
-              RUN(test_bad_indices))
+              RUN(test_more_vertices_than_named), RUN(test_windows), RUN(test_blocks), RUN(test_beside), RUN(test_floats))

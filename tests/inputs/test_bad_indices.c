@@ -3,10 +3,11 @@
 #include "common/guarded_pages.h"
 #include "common/harness.h"
 #include "common/laid_mesh.h"
+#include "common/window_bits.h"
 #include "dispatch.h"
 
 static laid_fences fences;
-static guarded stream_fence[9], mask_fence;
+static guarded stream_fence[9], mask_fence, inside_fence;
 
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}}, far = {{1e37f, 1e37f, 1e37f}, {2e37f, 2e37f, 2e37f}};
 
@@ -55,20 +56,36 @@ static void check_streams_made(const tribox_mesh *mesh, size_t first, size_t cou
 static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
 {
     static const tribox_report poison = {12345, 67890};
+    const size_t bytes = tribox_mask_words(mesh->count) * sizeof(uint64_t);
+    const fenced mask = fenced_place(mask_fence, bytes, AT_END), inside = fenced_place(inside_fence, bytes, AT_END);
+    uint64_t *const to = (uint64_t *)(void *)mask.at, *const also = (uint64_t *)(void *)inside.at;
+    const tribox_options options = {.accuracy = (tribox_accuracy)(mesh->count % 3), .kernel = kernel};
     tribox_report report = poison;
-    const fenced mask = fenced_place(mask_fence, tribox_mask_words(mesh->count) * sizeof(uint64_t), AT_END);
-    say("tribox_mesh_overlap", kernel, mesh);
-    expect_refusal(tribox_mesh_overlap(mesh, &cube, &(tribox_options){.kernel = kernel}, (uint64_t *)(void *)mask.at, &report));
+    say("an answer", kernel, mesh);
+    expect_refusal(tribox_mesh_overlap(mesh, &cube, &options, to, &report));
+    expect_refusal(tribox_mesh_overlap(mesh, &cube, &options, NULL, NULL));
+    expect_refusal(tribox_mesh_overlap(mesh, &far, &options, NULL, NULL));
+    expect_refusal(tribox_mesh_classify(mesh, &cube, &options, to, also, &report));
+    expect_refusal(tribox_mesh_overlap_oriented(mesh, &turned, &options, to, &report));
+    expect_refusal(tribox_mesh_overlap_oriented(mesh, &empty, &options, NULL, NULL));
     assert_nothing_written(&mask);
+    assert_nothing_written(&inside);
     assert_memory_equal(&report, &poison, sizeof poison);
-    expect_refusal(tribox_mesh_overlap(mesh, &cube, &(tribox_options){.kernel = kernel}, NULL, NULL));
-    expect_refusal(tribox_mesh_overlap(mesh, &far, &(tribox_options){.kernel = kernel}, NULL, NULL));
-    say("tribox_mesh_overlap_oriented", kernel, mesh);
-    expect_refusal(
-        tribox_mesh_overlap_oriented(mesh, &turned, &(tribox_options){.kernel = kernel}, (uint64_t *)(void *)mask.at, &report));
-    assert_nothing_written(&mask);
-    assert_memory_equal(&report, &poison, sizeof poison);
-    expect_refusal(tribox_mesh_overlap_oriented(mesh, &empty, &(tribox_options){.kernel = kernel}, NULL, NULL));
+}
+
+/* A search ends at the index, unless it has found something before it. */
+static void check_searches(const tribox_mesh *mesh, const uint64_t *wanted, size_t bad, const char *kernel)
+{
+    for (int what = TRIBOX_FIRST_HIT; what <= TRIBOX_FIRST_MISS; what++) {
+        size_t found = 12345, due = 0;
+        while (due < mesh->count && bit_of(wanted, due) != (what == TRIBOX_FIRST_HIT))
+            due++;
+        say("tribox_mesh_find", kernel, mesh);
+        const tribox_status status =
+            tribox_mesh_find(mesh, &cube, &(tribox_options){.kernel = kernel}, (tribox_find_what)what, &found);
+        if (status == TRIBOX_BAD_VERTEX ? found != 12345 : status || found != due || due >= bad)
+            fail_msg("%s: %s, %zu found", doing, tribox_status_text(status), found);
+    }
 }
 
 static void check_found(const tribox_mesh *mesh, size_t count, size_t first)
@@ -84,10 +101,13 @@ static void check_found(const tribox_mesh *mesh, size_t count, size_t first)
 static void check_corner(const tribox_mesh *mesh, size_t corner, size_t number)
 {
     const size_t right = laid_mesh_index(mesh, corner), triangle = corner / 3;
+    uint64_t wanted[LAID_MOST / 64 + 1];
+    assert_int_equal(tribox_mesh_overlap(mesh, &cube, NULL, wanted, NULL), TRIBOX_OK);
     laid_mesh_set_index(mesh, corner, number);
     check_found(mesh, 1, corner);
     for (int k = 0; k < kernels; k++) {
         check_answers_refused(mesh, names[k]);
+        check_searches(mesh, wanted, triangle, names[k]);
         check_streams_refused(mesh, 0, mesh->count, names[k]);
         check_streams_refused(mesh, triangle, 1, names[k]);
         check_streams_made(mesh, 0, triangle, names[k]);
@@ -105,16 +125,14 @@ static size_t draw_bad_number(random_source *r, const tribox_mesh *mesh)
     return random_int(r, 2) || any < mesh->vertices ? mesh->vertices : any;
 }
 
-/* On a lattice about the box. */
+/* On a lattice about the box, in any layout. */
 static tribox_mesh any_mesh(random_source *r, size_t count, unsigned index_bytes)
 {
     static double u[LAID_MOST][3][3];
-    const mesh_form form = {.position_bytes = 4,
-                            .index_bytes = index_bytes,
-                            .gap = random_int(r, 2) ? 0 : (size_t)random_int_between(r, 0, 28),
-                            .pattern = (index_pattern)random_int(r, INDEX_PATTERNS),
-                            .shift = random_int(r, 4),
-                            .is_at_end = random_int(r, 2)};
+    mesh_form form = mesh_form_draw(r, true);
+    form.index_bytes = index_bytes;
+    form.pattern = (index_pattern)random_int(r, INDEX_PATTERNS);
+    form.is_shared = false;
     for (size_t n = 0; n < 9 * count; n++)
         u[n / 9][n / 3 % 3][n % 3] = 0.25 * random_int_between(r, -9, 9);
     return laid_mesh_of(r, &form, (const double(*)[3][3])u, count, (const int[]){0, 1, 2}, fences);
@@ -335,6 +353,7 @@ static int set_up(void)
     for (int s = 0; s < 9; s++)
         stream_fence[s] = guarded_make(LAID_MOST * sizeof(float));
     mask_fence = guarded_make((LAID_MOST / 64 + 1) * sizeof(uint64_t));
+    inside_fence = guarded_make((LAID_MOST / 64 + 1) * sizeof(uint64_t));
     return 0;
 }
 
