@@ -15,72 +15,54 @@
 
 static const char *const axes_names[] = {"", "box", "plane", "box+plane", "edges", "box+edges", "plane+edges", "all"};
 
-/* What was found of a scene: of a sweep, or of other choices of axes. */
-typedef struct found {
-    const char *name;
-    size_t pairs, count;
-    const contestant *list;
-    const score *scores;
-    const samples *taken;
-} found;
-
 static double share_of(size_t part, size_t of, double unit) { return of ? unit * (double)part / (double)of : (double)NAN; }
 
-static double times_fast(const found *f, size_t c)
+/* What a pair that float leaves undecided costs beyond one that FAST decides, in nanoseconds; NAN where there are next to none. */
+static double undecided_ns(const contest *of, size_t c, size_t fast, double pairs)
 {
-    const size_t fast = contestant_fast_of(f->list, f->count, c);
-    return fast == c ? (double)NAN : measure_ratio(f->taken, c, fast).median;
+    const double share = (double)of->scores[c].undecided / pairs, least_share = 5e-3;
+    return share < least_share ? (double)NAN : (measure_least(&of->taken, c) - measure_least(&of->taken, fast)) / share;
 }
 
-/* What a pair that float leaves undecided costs beyond a pair that it decides, in nanoseconds; NAN where there are next to none. */
-static double undecided_ns(const found *f, size_t c)
+static void tell_accuracy(printout *out, const char *name, size_t pairs, const contest *of, size_t c)
 {
-    const double share = share_of(f->scores[c].undecided, f->pairs, 1), least_share = 5e-3;
-    const size_t fast = contestant_fast_of(f->list, f->count, c);
-    return fast == c || share < least_share ? (double)NAN : (measure_least(f->taken, c) - measure_least(f->taken, fast)) / share;
-}
-
-static void tell_accuracy(printout *out, const found *f, size_t c)
-{
-    const tribox_options *const own = &f->list[c].options;
-    const score *const s = &f->scores[c];
+    const tribox_options *const own = &of->list[c].options;
+    const score *const s = &of->scores[c];
+    const size_t fast = contestant_fast_of(of->list, of->count, c);
     ADD(out, TEXT("kernel", own->kernel ? own->kernel : "paper"), TEXT("accuracy", own->kernel ? accuracy_word(own->accuracy) : ""),
-        TEXT("axes", axes_names[own->axes]), TEXT_DATA("scene", f->name));
-    printout_times(out, f->taken, c);
-    ROW(out, NUMBER("times_fast", 2, times_fast(f, c)),
-        NUMBER("missed_a_million", 1, share_of(s->of_accuracy.missed, f->pairs, 1e6)),
-        NUMBER("untrue_a_million", 1, share_of(s->of_accuracy.untrue, f->pairs, 1e6)),
-        NUMBER("extra_a_million", 1, share_of(s->of_all.untrue, f->pairs, 1e6)),
-        NUMBER("undecided_%", 4, own->kernel ? share_of(s->undecided, f->pairs, 100) : (double)NAN),
-        NUMBER("ns_each", 1, undecided_ns(f, c)));
+        TEXT("axes", axes_names[own->axes]), TEXT_DATA("scene", name));
+    printout_times(out, &of->taken, c);
+    ROW(out, NUMBER("times_fast", 2, fast == c ? (double)NAN : measure_ratio(&of->taken, c, fast).median),
+        NUMBER("missed_a_million", 1, share_of(s->of_accuracy.missed, pairs, 1e6)),
+        NUMBER("untrue_a_million", 1, share_of(s->of_accuracy.untrue, pairs, 1e6)),
+        NUMBER("extra_a_million", 1, share_of(s->of_all.untrue, pairs, 1e6)),
+        NUMBER("undecided_%", 4, own->kernel ? share_of(s->undecided, pairs, 100) : (double)NAN),
+        NUMBER("ns_each", 1, fast == c ? (double)NAN : undecided_ns(of, c, fast, (double)pairs)));
 }
 
 /* With all axes: the paper's test as published, and each kernel in the default order. */
-static void tell_accuracies(printout *out, const found *f)
+static void tell_accuracies(printout *out, const char *name, size_t pairs, const sweep *s)
 {
-    for (size_t c = 0; c < f->count; c++) {
-        const tribox_options *const own = &f->list[c].options;
+    for (size_t c = 0; c < s->count; c++) {
+        const tribox_options *const own = &s->list[c].options;
         if (own->axes == TRIBOX_AXES_ALL && own->axis_order == (own->kernel ? SWEEP_DEFAULT : PAPER_ORDER))
-            tell_accuracy(out, f, c);
+            tell_accuracy(out, name, pairs, s, c);
     }
 }
 
-/* The other choices of them, with one kernel. */
-static bool tell_choices(asked *q, const char *name, const timing_work *work)
+/* The other choices of them, with one kernel. Returns NULL, or what is wrong. */
+static const char *tell_choices(asked *q, const char *name, const timing_work *work)
 {
-    contestant list[SWEEP_AXES * SWEEP_ACCURACIES];
-    const size_t count = sizeof list / sizeof list[0];
-    const truth from = truth_of_work(work);
-    const found f = {name, work->pairs, count, list, q->scores, &q->taken};
-    for (size_t c = 0; c < count; c++)
-        list[c] = contestant_kernel(work, &(tribox_options){.accuracy = sweep_accuracies[c % SWEEP_ACCURACIES],
-                                                            .axes = sweep_axes[c / SWEEP_ACCURACIES],
-                                                            .kernel = q->kernel});
-    if (!asked_measure(q, name, list, count, &from, asked_effort(q, SWEEP_ROUNDS, 2, 5e-4), work->words))
-        return false;
-    for (size_t c = 0; c < count; c++)
-        tell_accuracy(&q->out, &f, c);
-    return true;
+    static contest chosen;
+    chosen.count = (size_t)SWEEP_AXES * SWEEP_ACCURACIES;
+    for (size_t c = 0; c < chosen.count; c++)
+        chosen.list[c] = contestant_kernel(work, &(tribox_options){.accuracy = sweep_accuracies[c % SWEEP_ACCURACIES],
+                                                                   .axes = sweep_axes[c / SWEEP_ACCURACIES],
+                                                                   .kernel = q->kernel});
+    const char *const failure = contest_run(&chosen, work, asked_effort(q, SWEEP_ROUNDS, 2, 5e-4), &q->order);
+    for (size_t c = 0; !failure && c < chosen.count; c++)
+        tell_accuracy(&q->out, name, work->pairs, &chosen, c);
+    return failure;
 }
 
 /* Nanoseconds, least of the rounds, of one kernel and accuracy. */
@@ -118,16 +100,15 @@ static bool ask_about(asked *q, const char *name, const char *what, const timing
     static sweep s;
     static why w;
     printout *const out = &q->out;
-    const char *const failure = sweep_run(&s, work, asked_effort(q, SWEEP_ROUNDS, 4, 5e-4), &q->order), *kernel;
-    const found f = {name, work->pairs, s.count, s.list, s.scores, &s.taken};
+    const char *failure = sweep_run(&s, work, asked_effort(q, SWEEP_ROUNDS, 4, 5e-4), &q->order), *kernel;
     if (failure)
         return message_failure("scene %s: %s; nothing is reported", name, failure) == EXIT_CODE_OK;
     why_find(work, &w);
     printout_table(out, "scene %s: %s; %zu pairs in %zu soups, of which %.2f %% overlap; %zu rounds", name, what, work->pairs,
                    work->count, share_of(w.overlapping, w.pairs, 100), s.taken.rounds);
-    tell_accuracies(out, &f);
-    if (!tell_choices(q, name, work))
-        return false;
+    tell_accuracies(out, name, work->pairs, &s);
+    if ((failure = tell_choices(q, name, work)) != NULL)
+        return message_failure("scene %s: %s", name, failure) == EXIT_CODE_OK;
     printout_disturbed(out, &s.taken);
     printout_table(out, "%s: ns a pair, least of the rounds, by order of the axes: 1 box normals, 2 plane, 3 edges", name);
     tell_order(out, &s, NULL, TRIBOX_FAST);
