@@ -40,22 +40,10 @@ __attribute__((format(printf, 2, 3))) void printout_table(printout *r, const cha
  * ADD adds columns to a row, of these: a text, a number with so many decimals, and the same for JSON and CSV alone. ROW also
  * completes it. Names and texts are used until then.
  */
-#define TEXT(name, text) \
-    { \
-        name, text, NAN, 0, false \
-    }
-#define NUMBER(name, decimals, number) \
-    { \
-        name, NULL, number, decimals, false \
-    }
-#define TEXT_DATA(name, text) \
-    { \
-        name, text, NAN, 0, true \
-    }
-#define DATA(name, number) \
-    { \
-        name, NULL, number, 6, true \
-    }
+#define TEXT(name, text) ((printout_column){name, text, NAN, 0, false})
+#define NUMBER(name, decimals, number) ((printout_column){name, NULL, number, decimals, false})
+#define TEXT_DATA(name, text) ((printout_column){name, text, NAN, 0, true})
+#define DATA(name, number) ((printout_column){name, NULL, number, 6, true})
 #define ADD(r, ...) printout_add(r, (const printout_column[]){__VA_ARGS__, {.name = NULL}})
 #define ROW(r, ...) (ADD(r, __VA_ARGS__), printout_row(r))
 
