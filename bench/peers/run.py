@@ -40,7 +40,7 @@ def options():
             ("--limit", 60, "seconds until a peer is ended; without it 60"),
             ("--json", None, "a file for all figures")):
         parser.add_argument(name, default=default, type=type(default) if default else str, help=text)
-    parser.add_argument("meshes", metavar="MESH", nargs="*", help="a binary PLY file of triangles; else the knot of tribox demo")
+    parser.add_argument("meshes", metavar="MESH", nargs="*", help="a binary PLY file of triangles; else a torus")
     o = parser.parse_args()
     o.cells, o.peers = sorted(map(int, o.cells.split(","))), o.peers.split(",")
     o.questions = o.questions.split(",") if o.questions else None
@@ -171,22 +171,17 @@ def head(kernel):
     yield "limits     processor time; one thread on one processor; the least of some rounds, in turns; a process for each row"
 
 
-def knot(folder):
-    """That of tribox demo (knot_point of tools/cmd_demo.c)."""
-    path, rings, corners, radius, swing, tube = os.path.join(folder, "knot.ply"), 400, 60, 2, 0.85, 0.42
+def torus(folder):
+    """Around a ring, rings of corners."""
+    path, rings, corners = os.path.join(folder, "torus.ply"), 400, 60
     with open(path, "wb") as file:
         file.write(("ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
                     "property float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n" %
                     (rings * corners, 2 * rings * corners)).encode())
         for ring, corner in itertools.product(range(rings), range(corners)):
             t, turn = 2 * math.pi * ring / rings, 2 * math.pi * corner / corners
-            cp, sp, cq, sq = math.cos(2 * t), math.sin(2 * t), math.cos(3 * t), math.sin(3 * t)
-            rho = radius + swing * cq
-            center, outward = (rho * cp, rho * sp, swing * sq), (cq * cp, cq * sp, sq)
-            along = (-3 * swing * sq * cp - 2 * rho * sp, -3 * swing * sq * sp + 2 * rho * cp, 3 * swing * cq)
-            sideward = [(along[a - 2] * outward[a - 1] - along[a - 1] * outward[a - 2]) / math.hypot(*along) for a in range(3)]
-            file.write(struct.pack("<3f", *(center[a] + tube * (math.cos(turn) * outward[a] + math.sin(turn) * sideward[a])
-                                            for a in range(3))))
+            radius = 2 + 0.85 * math.cos(turn)
+            file.write(struct.pack("<3f", radius * math.cos(t), radius * math.sin(t), 0.85 * math.sin(turn)))
         for ring, corner in itertools.product(range(rings), range(corners)):
             a, b, c, d = ((ring + i) % rings * corners + (corner + j) % corners for i, j in ((0, 0), (1, 0), (1, 1), (0, 1)))
             file.write(struct.pack("<B3IB3I", 3, a, b, c, 3, a, c, d))
@@ -209,7 +204,7 @@ def main():
         built = {name: call for name, call in built.items() if name != program}
     print(*head(kernel), "\nmilliseconds of tribox, of the peer, how many times as long, and how the answers differ\n", sep="\n")
     with tempfile.TemporaryDirectory() as folder:
-        for path in o.meshes or [knot(folder)]:
+        for path in o.meshes or [torus(folder)]:
             for row in itertools.chain(*(answers(peer, questions, path, o) for peer, questions in here.items()),
                                        *(call(o.build, path, o.cells) for call in built.values())):
                 rows.append({"mesh": os.path.basename(path), **row})

@@ -107,7 +107,7 @@ class Peers(unittest.TestCase):
         np.testing.assert_array_equal(found[1], faces)
         for old, new in ((b"little", b"big"), (b"float z", b"float z\nproperty uchar red"), (b"\x03", b"\x04")):
             self.assertRaises(SystemExit, asked.read, self.written("m.ply", ply.replace(old, new)))
-        self.assertEqual([len(part) for part in asked.read(run.knot(self.folder))], [24000, 48000])
+        self.assertEqual([len(part) for part in asked.read(run.torus(self.folder))], [24000, 48000])
 
 
 if __name__ == "__main__":
