@@ -4,8 +4,8 @@
  *
  *     cc -std=c11 -O2 octree.c $(pkg-config --cflags --libs tribox) -o octree && ./octree
  *
- * Lists cost each triangle a test of eight children at each level, one call a node. The index is told a box and answers with what is
- * in it, so that only the border of a node is tested; but it has to be made first.
+ * Lists cost each triangle a test of eight children at each level, one call a node. The index is told a box and answers with what
+ * is in it, so that only the border of a node is tested; but it has to be made first.
  *
  * If you want the cells of a uniform grid, do not build top-down, take bricks: tribox_bricks gives those of the lowest level, and
  * the levels above are their numbers shifted.
