@@ -180,13 +180,9 @@ enum { SIZES = 3, MOST = 64, TILE = 8, CELLS = 64 };
 
 /* A few triangles in every form, and room for every answer. What a call of CALLS wants, one before it has made. */
 typedef struct few {
-    tribox_soup soup;
-    tribox_mesh mesh;
-    tribox_boxes boxes;
-    tribox_box box;
+    slice of;
     tribox_oriented_box turned;
     tribox_index index;
-    const float *first;
     uint64_t mask[1], inside[1], bits[1], window[16], solid[16];
     uint32_t number[MOST], children_of[MOST], order[MOST], list[MOST * MOST], ids[CELLS], cells[CELLS][3], in_tile[MOST],
         in_cell[MOST * CELLS];
@@ -221,59 +217,59 @@ static const tribox_sink sink = {take, NULL};
 static const tribox_ids_sink ids_sink = {take_ids, NULL};
 static const tribox_lists_sink lists_sink = {take_lists, NULL};
 
-#define REGION (&(tribox_region){.box = &f->box})
+#define REGION (&(tribox_region){.box = &f->of.all->box})
 #define BRICKS &cells, &tile, f->tile_start, f->in_tile, how, f->scratch
 
 /* SAYS a status, which has to be that of success; LISTS in two passes, both timed; IS anything else. */
 #define CALLS(SAYS, LISTS, IS) \
-    SAYS(tribox_overlap, &f->soup, &f->box, how, f->mask, NULL) \
-    SAYS(tribox_mesh_overlap, &f->mesh, &f->box, how, f->mask, NULL) \
-    SAYS(tribox_overlap_oriented, &f->soup, &f->turned, how, f->mask, NULL) \
-    SAYS(tribox_mesh_overlap_oriented, &f->mesh, &f->turned, how, f->mask, NULL) \
-    SAYS(tribox_overlap_boxes, f->first, &f->boxes, how, f->mask, NULL) \
-    SAYS(tribox_find, &f->soup, &f->box, how, TRIBOX_FIRST_HIT, &f->found) \
-    SAYS(tribox_mesh_find, &f->mesh, &f->box, how, TRIBOX_FIRST_HIT, &f->found) \
-    SAYS(tribox_classify, &f->soup, &f->box, how, f->mask, f->inside, NULL) \
-    SAYS(tribox_mesh_classify, &f->mesh, &f->box, how, f->mask, f->inside, NULL) \
-    SAYS(tribox_split, &f->soup, f->children_of, f->soup.count, &f->box, NULL, how, f->children, NULL) \
-    SAYS(tribox_mesh_split, &f->mesh, f->children_of, f->soup.count, &f->box, NULL, how, f->children, NULL) \
+    SAYS(tribox_overlap, &f->of.soup, &f->of.all->box, how, f->mask, NULL) \
+    SAYS(tribox_mesh_overlap, &f->of.mesh, &f->of.all->box, how, f->mask, NULL) \
+    SAYS(tribox_overlap_oriented, &f->of.soup, &f->turned, how, f->mask, NULL) \
+    SAYS(tribox_mesh_overlap_oriented, &f->of.mesh, &f->turned, how, f->mask, NULL) \
+    SAYS(tribox_overlap_boxes, (const float *)f->of.one, &f->of.boxes, how, f->mask, NULL) \
+    SAYS(tribox_find, &f->of.soup, &f->of.all->box, how, TRIBOX_FIRST_HIT, &f->found) \
+    SAYS(tribox_mesh_find, &f->of.mesh, &f->of.all->box, how, TRIBOX_FIRST_HIT, &f->found) \
+    SAYS(tribox_classify, &f->of.soup, &f->of.all->box, how, f->mask, f->inside, NULL) \
+    SAYS(tribox_mesh_classify, &f->of.mesh, &f->of.all->box, how, f->mask, f->inside, NULL) \
+    SAYS(tribox_split, &f->of.soup, f->children_of, f->of.soup.count, &f->of.all->box, NULL, how, f->children, NULL) \
+    SAYS(tribox_mesh_split, &f->of.mesh, f->children_of, f->of.soup.count, &f->of.all->box, NULL, how, f->children, NULL) \
     SAYS(tribox_index_build, &f->index, how, f->nodes) \
-    SAYS(tribox_index_update, &f->index, 0, f->soup.count, how, f->nodes) \
+    SAYS(tribox_index_update, &f->index, 0, f->of.soup.count, how, f->nodes) \
     SAYS(tribox_index_overlap, &f->index, REGION, how, f->mask, NULL) \
     SAYS(tribox_index_words, &f->index, REGION, how, 1, f->number, f->bits, f->inside, &f->found, NULL) \
     SAYS(tribox_index_list, &f->index, REGION, how, MOST, f->list, &f->found) \
-    SAYS(tribox_index_lists, &f->index, &f->boxes, how, MOST *MOST, f->list, f->start) \
+    SAYS(tribox_index_lists, &f->index, &f->of.boxes, how, MOST *MOST, f->list, f->start) \
     SAYS(tribox_index_any, &f->index, REGION, how, &f->found) \
-    SAYS(tribox_soup_sort, &f->soup, f->order, f->scratch) \
-    SAYS(tribox_mesh_sort, &f->mesh, f->order, f->scratch) \
-    SAYS(tribox_boxes_sort, &f->boxes, f->order, f->scratch) \
-    SAYS(tribox_soup_gather, &f->soup, f->order, 0, f->soup.count, f->to, f->to + 3, f->to + 6) \
-    SAYS(tribox_mesh_gather, &f->mesh, NULL, f->order, 0, f->soup.count, f->to, f->to + 3, f->to + 6) \
-    SAYS(tribox_mesh_to_soup, &f->mesh, NULL, 0, f->soup.count, how, f->to, f->to + 3, f->to + 6) \
-    SAYS(tribox_voxelize, &f->soup, &cells, NULL, how, f->window, NULL) \
-    SAYS(tribox_mesh_voxelize, &f->mesh, &cells, NULL, how, f->window, NULL) \
-    SAYS(tribox_voxelize_ids, &f->soup, 0, &cells, NULL, how, f->window, f->ids, NULL) \
-    SAYS(tribox_mesh_voxelize_ids, &f->mesh, 0, &cells, NULL, how, f->window, f->ids, NULL) \
-    SAYS(tribox_voxelize_thin, &f->soup, &cells, NULL, how, f->solid, NULL) \
-    SAYS(tribox_mesh_voxelize_thin, &f->mesh, &cells, NULL, how, f->solid, NULL) \
+    SAYS(tribox_soup_sort, &f->of.soup, f->order, f->scratch) \
+    SAYS(tribox_mesh_sort, &f->of.mesh, f->order, f->scratch) \
+    SAYS(tribox_boxes_sort, &f->of.boxes, f->order, f->scratch) \
+    SAYS(tribox_soup_gather, &f->of.soup, f->order, 0, f->of.soup.count, f->to, f->to + 3, f->to + 6) \
+    SAYS(tribox_mesh_gather, &f->of.mesh, NULL, f->order, 0, f->of.soup.count, f->to, f->to + 3, f->to + 6) \
+    SAYS(tribox_mesh_to_soup, &f->of.mesh, NULL, 0, f->of.soup.count, how, f->to, f->to + 3, f->to + 6) \
+    SAYS(tribox_voxelize, &f->of.soup, &cells, NULL, how, f->window, NULL) \
+    SAYS(tribox_mesh_voxelize, &f->of.mesh, &cells, NULL, how, f->window, NULL) \
+    SAYS(tribox_voxelize_ids, &f->of.soup, 0, &cells, NULL, how, f->window, f->ids, NULL) \
+    SAYS(tribox_mesh_voxelize_ids, &f->of.mesh, 0, &cells, NULL, how, f->window, f->ids, NULL) \
+    SAYS(tribox_voxelize_thin, &f->of.soup, &cells, NULL, how, f->solid, NULL) \
+    SAYS(tribox_mesh_voxelize_thin, &f->of.mesh, &cells, NULL, how, f->solid, NULL) \
     IS(tribox_window_cells, f->window, cells.size, f->cells) \
     SAYS(tribox_fill_outside, cells.size, f->window, f->scratch, f->solid, &f->found) \
-    SAYS(tribox_fill_parity, &f->soup, &cells, f->window, f->scratch, f->solid, &f->found, &f->odd) \
-    SAYS(tribox_mesh_fill_parity, &f->mesh, &cells, f->window, f->scratch, f->solid, &f->found, &f->odd) \
-    LISTS(tribox_cell_lists, f->in_cell, &f->soup, &cells, NULL, how, f->cell_start) \
-    LISTS(tribox_mesh_cell_lists, f->in_cell, &f->mesh, &cells, NULL, how, f->cell_start) \
-    LISTS(tribox_tile_lists, f->in_tile, &f->soup, &cells, &tile, how, f->tile_start) \
-    LISTS(tribox_mesh_tile_lists, f->in_tile, &f->mesh, &cells, &tile, how, f->tile_start) \
-    SAYS(tribox_bricks, &f->soup, BRICKS, &sink, NULL) \
-    SAYS(tribox_mesh_bricks, &f->mesh, BRICKS, &sink, NULL) \
-    SAYS(tribox_bricks_ids, &f->soup, BRICKS, &ids_sink, NULL) \
-    SAYS(tribox_mesh_bricks_ids, &f->mesh, BRICKS, &ids_sink, NULL) \
-    SAYS(tribox_bricks_lists, &f->soup, BRICKS, &lists_sink, NULL) \
-    SAYS(tribox_mesh_bricks_lists, &f->mesh, BRICKS, &lists_sink, NULL) \
-    IS(tribox_mask_indices, f->mask, f->soup.count, f->number) \
-    IS(tribox_soup_not_finite, &f->soup, &f->found) \
-    IS(tribox_mesh_not_finite, &f->mesh, &f->found) \
-    IS(tribox_mesh_bad_vertices, &f->mesh, &f->found) \
+    SAYS(tribox_fill_parity, &f->of.soup, &cells, f->window, f->scratch, f->solid, &f->found, &f->odd) \
+    SAYS(tribox_mesh_fill_parity, &f->of.mesh, &cells, f->window, f->scratch, f->solid, &f->found, &f->odd) \
+    LISTS(tribox_cell_lists, f->in_cell, &f->of.soup, &cells, NULL, how, f->cell_start) \
+    LISTS(tribox_mesh_cell_lists, f->in_cell, &f->of.mesh, &cells, NULL, how, f->cell_start) \
+    LISTS(tribox_tile_lists, f->in_tile, &f->of.soup, &cells, &tile, how, f->tile_start) \
+    LISTS(tribox_mesh_tile_lists, f->in_tile, &f->of.mesh, &cells, &tile, how, f->tile_start) \
+    SAYS(tribox_bricks, &f->of.soup, BRICKS, &sink, NULL) \
+    SAYS(tribox_mesh_bricks, &f->of.mesh, BRICKS, &sink, NULL) \
+    SAYS(tribox_bricks_ids, &f->of.soup, BRICKS, &ids_sink, NULL) \
+    SAYS(tribox_mesh_bricks_ids, &f->of.mesh, BRICKS, &ids_sink, NULL) \
+    SAYS(tribox_bricks_lists, &f->of.soup, BRICKS, &lists_sink, NULL) \
+    SAYS(tribox_mesh_bricks_lists, &f->of.mesh, BRICKS, &lists_sink, NULL) \
+    IS(tribox_mask_indices, f->mask, f->of.soup.count, f->number) \
+    IS(tribox_soup_not_finite, &f->of.soup, &f->found) \
+    IS(tribox_mesh_not_finite, &f->of.mesh, &f->found) \
+    IS(tribox_mesh_bad_vertices, &f->of.mesh, &f->found) \
     IS(tribox_grid_cell, &cells, 1, 2, 3) \
     IS(tribox_kernel_name, how) \
     IS(tribox_version, )
@@ -299,18 +295,11 @@ static const struct {
 
 static void make_few(size_t count, few *f)
 {
-    const timing_job *const from = paper.work.jobs;
-    *f = (few){.soup = from->soup, .first = from->triangles[0][0], .box = from->box, .boxes.count = count};
-    f->soup.count = count;
-    f->mesh = (tribox_mesh){.positions = from->triangles, .vertices = 3 * count, .count = count};
+    *f = (few){.of = slice_of(0, count)};
     f->turned = (tribox_oriented_box){.half = {0.5f, 0.5f, 0.5f}, .axis = {{0.8f, 0.6f, 0}, {-0.6f, 0.8f, 0}, {0, 0, 1}}};
     f->nodes = asked_allocate(tribox_index_bytes(MOST), 1);
     f->scratch = asked_allocate(tribox_bricks_lists_bytes(TILE, MOST) + tribox_bricks_ids_bytes(TILE), 1);
-    f->index = (tribox_index){.nodes = f->nodes, .soup = &f->soup};
-    for (size_t a = 0; a < 3; a++) {
-        f->boxes.lo[a] = bounds[a];
-        f->boxes.hi[a] = bounds[3 + a];
-    }
+    f->index = (tribox_index){.nodes = f->nodes, .soup = &f->of.soup};
     for (uint32_t n = 0; n < MOST; n++)
         f->children_of[n] = n;
     for (size_t n = 0; n < 9; n++)
