@@ -82,7 +82,7 @@ function startView(onBox, onCorner) {
         corners: new Corners(stage, onCorner),
         box: new BoxView(stage, onBox),
     };
-    stage.addOrbit();
+    stage.lookFrom('z');
     addBoxKeys(stage, view.box, makeChoice(element('mode'), (mode) => view.box.setMode(mode)));
     startTheme(element('theme'), (colours) => {
         for (const painted of [view.triangles, view.cells, view.nodes, view.corners, view.box]) painted.paint(colours);

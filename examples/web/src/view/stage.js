@@ -32,29 +32,15 @@ export class Stage {
         new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     }
 
-    /** After everything else that listens to the pointer, so that it comes first. */
-    addOrbit() {
-        this.orbit = new OrbitControls(this.camera, this.canvas);
-        this.orbit.enableDamping = !this.isStill;
-        this.orbit.dampingFactor = 0.12;
-        this.orbit.minDistance = 0.2;
-        this.orbit.maxDistance = 30;
-        this.orbit.addEventListener('change', () => this.draw());
-        this.lookFrom('z');
-    }
-
-    /** A view of everything, with this axis up. */
+    /** A view of everything, with this axis up. Called after everything else that listens to the pointer, so that it comes first. */
     lookFrom(up) {
         const isWide = this.camera.aspect > 1;
         this.camera.up.copy(UP[up]);
         this.camera.position.copy(FROM[up]).normalize().multiplyScalar(isWide ? 3.6 : 5);
-        this.orbit.dispose();
-        const { enableDamping, dampingFactor, minDistance, maxDistance } = this.orbit;
+        this.orbit?.dispose();
         this.orbit = Object.assign(new OrbitControls(this.camera, this.canvas), {
-            enableDamping,
-            dampingFactor,
-            minDistance,
-            maxDistance,
+            ...{ enableDamping: !this.isStill, dampingFactor: 0.12 },
+            ...{ minDistance: 0.2, maxDistance: 30 },
         });
         this.orbit.addEventListener('change', () => this.draw());
         this.orbit.update();
