@@ -1,21 +1,11 @@
 // box_view.js - the box on the stage: its faces and edges, the handles that move, turn and size it, and its body to be dragged.
-import { BoxGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial, Object3D, Plane, Raycaster, Vector2, Vector3 } from 'three';
+import { BoxGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial, Object3D, Vector3 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-
-const EDGES = [0, 1, 2].flatMap((axis) =>
-    [[-1, -1], [-1, 1], [1, -1], [1, 1]].flatMap(([p, q]) =>
-        [-1, 1].flatMap((end) => {
-            const point = [0, 0, 0];
-            point[axis] = end;
-            point[(axis + 1) % 3] = p;
-            point[(axis + 2) % 3] = q;
-            return point;
-        }),
-    ),
-);
+import { addDrag } from './drag.js';
+import { EDGES } from './node_boxes.js';
 
 const LEAST_HALF = 1e-4;
 
@@ -31,7 +21,7 @@ export class BoxView {
             new MeshBasicMaterial({ transparent: true, opacity: 0.07, depthWrite: false, side: DoubleSide, toneMapped: false }),
         );
         this.faces.renderOrder = 1;
-        const lines = new LineSegmentsGeometry().setPositions(EDGES);
+        const lines = new LineSegmentsGeometry().setPositions(EDGES.flatMap((corner) => corner.map((high) => 2 * high - 1)));
         this.edges = new LineSegments2(lines, new LineMaterial({ linewidth: 2.25, toneMapped: false }));
         this.hidden = new LineSegments2(
             lines,
@@ -86,43 +76,24 @@ export class BoxView {
         this.onChange();
     }
 
-    /** The body of the box follows the pointer in the plane of the picture. */
+    /** Its body. */
     addDragging() {
-        const { canvas, camera } = this.stage, ray = new Raycaster(), plane = new Plane(), grip = new Vector3(), to = new Vector3();
-        const aim = (event) => {
-            const { left, top, width, height } = canvas.getBoundingClientRect();
-            ray.setFromCamera(
-                new Vector2((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height),
-                camera,
-            );
-        };
-        let pointer = null;
-        canvas.addEventListener('pointerdown', (event) => {
-            if (pointer !== null) return this.letGo(() => (pointer = null));
-            if (!this.isOn || event.button !== 0 || this.handles.dragging || this.handles.axis) return;
-            aim(event);
-            const [hit] = ray.intersectObject(this.faces);
-            if (!hit) return;
-            pointer = event.pointerId;
-            plane.setFromNormalAndCoplanarPoint(camera.getWorldDirection(new Vector3()), hit.point);
-            grip.copy(hit.point).sub(this.pose.position);
-            this.stage.orbit.enabled = this.handles.enabled = false;
-            canvas.setPointerCapture(pointer);
+        const held = new Vector3();
+        addDrag(this.stage, {
+            grip: (ray) => {
+                const isFree = this.isOn && !this.handles.dragging && !this.handles.axis;
+                const [hit] = isFree ? ray.intersectObject(this.faces) : [];
+                if (!hit) return null;
+                held.copy(hit.point).sub(this.pose.position);
+                this.stage.orbit.enabled = this.handles.enabled = false;
+                return hit.point;
+            },
+            move: (to) => {
+                this.pose.position.copy(to.sub(held));
+                this.changed();
+            },
+            letGo: () => (this.stage.orbit.enabled = this.handles.enabled = true),
         });
-        canvas.addEventListener('pointermove', (event) => {
-            if (event.pointerId !== pointer) return;
-            aim(event);
-            if (!ray.ray.intersectPlane(plane, to)) return;
-            this.pose.position.copy(to.sub(grip));
-            this.changed();
-        });
-        for (const end of ['pointerup', 'pointercancel'])
-            canvas.addEventListener(end, (event) => event.pointerId === pointer && this.letGo(() => (pointer = null)));
-    }
-
-    letGo(forget) {
-        forget();
-        this.stage.orbit.enabled = this.handles.enabled = true;
     }
 
     paint(colours) {

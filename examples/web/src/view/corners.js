@@ -1,6 +1,7 @@
 // corners.js - the corners of one triangle, to be dragged or moved by keys: on a grid, so that its numbers are short.
-import { Color, Mesh, MeshBasicMaterial, Plane, Raycaster, SphereGeometry, Vector2, Vector3 } from 'three';
+import { Color, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import { ARROWS, axesSeen } from './box_keys.js';
+import { addDrag } from './drag.js';
 
 const GRID = 64, // to a unit of the mesh
     REACH = 3, STEP = 1 / 16,
@@ -62,36 +63,18 @@ export class Corners {
     }
 
     listen() {
-        const { canvas, camera } = this.stage, ray = new Raycaster(), plane = new Plane(), to = new Vector3();
-        let pointer = null;
-        const aim = (event) => {
-            const { left, top, width, height } = canvas.getBoundingClientRect();
-            const at = new Vector2((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height);
-            ray.setFromCamera(at, camera);
-        };
-        canvas.addEventListener('pointerdown', (event) => {
-            if (!this.isOn || pointer !== null || event.button !== 0) return;
-            aim(event);
-            const [hit] = ray.intersectObjects(this.knobs, false);
-            if (!hit) return;
-            pointer = event.pointerId;
-            this.chosen = this.knobs.indexOf(hit.object);
-            plane.setFromNormalAndCoplanarPoint(camera.getWorldDirection(new Vector3()), hit.object.position);
-            this.stage.orbit.enabled = false;
-            canvas.setPointerCapture(pointer);
+        addDrag(this.stage, {
+            grip: (ray) => {
+                const [hit] = this.isOn ? ray.intersectObjects(this.knobs, false) : [];
+                if (!hit) return null;
+                this.chosen = this.knobs.indexOf(hit.object);
+                this.stage.orbit.enabled = false;
+                return hit.object.position;
+            },
+            move: (to) => this.put(this.chosen, to),
+            letGo: () => (this.stage.orbit.enabled = true),
         });
-        canvas.addEventListener('pointermove', (event) => {
-            if (event.pointerId !== pointer) return;
-            aim(event);
-            if (ray.ray.intersectPlane(plane, to)) this.put(this.chosen, to);
-        });
-        for (const end of ['pointerup', 'pointercancel'])
-            canvas.addEventListener(end, (event) => {
-                if (event.pointerId !== pointer) return;
-                pointer = null;
-                this.stage.orbit.enabled = true;
-            });
-        canvas.addEventListener('keydown', (event) => this.isOn && this.takeKey(event));
+        this.stage.canvas.addEventListener('keydown', (event) => this.isOn && this.takeKey(event));
     }
 
     takeKey(event) {

@@ -1,15 +1,15 @@
 // node_boxes.js - the boxes of an index that a question came by: of its nodes, and of the words whose triangles were tested.
 import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments } from 'three';
 
-/** The twelve edges of a box of six numbers, lo and hi: which of them each coordinate takes. */
-const EDGES = [0, 1, 2].flatMap((axis) =>
+/** The ends of the twelve edges of a box, each coordinate low or high. */
+export const EDGES = [0, 1, 2].flatMap((axis) =>
     [0, 1, 2, 3].flatMap((side) =>
         [0, 1].map((end) => {
             const corner = [0, 0, 0];
             corner[axis] = end;
             corner[(axis + 1) % 3] = side & 1;
             corner[(axis + 2) % 3] = side >> 1;
-            return corner.map((high, a) => 3 * high + a);
+            return corner;
         }),
     ),
 );
@@ -32,7 +32,8 @@ export class NodeBoxes {
             const boxes = visits?.[kind] ?? [], places = new Float32Array((boxes.length / 6) * EDGES.length * 3);
             let at = 0;
             for (let box = 0; box < boxes.length; box += 6)
-                for (const corner of EDGES) for (let a = 0; a < 3; a++) places[at++] = (boxes[box + corner[a]] - middle[a]) / scale;
+                for (const corner of EDGES)
+                    for (let a = 0; a < 3; a++) places[at++] = (boxes[box + 3 * corner[a] + a] - middle[a]) / scale;
             this[kind].geometry.dispose();
             this[kind].geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(places, 3));
             this[kind].visible = places.length > 0;

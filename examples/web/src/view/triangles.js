@@ -214,8 +214,7 @@ export class Triangles {
                 middles[3 * m + a] = (this.places[9 * n + a] + this.places[9 * n + 3 + a] + this.places[9 * n + 6 + a]) / 3;
         });
         this.marks.geometry.dispose();
-        this.marks.geometry = new BufferGeometry();
-        this.marks.geometry.setAttribute('position', new BufferAttribute(middles, 3));
+        this.marks.geometry = geometryOf(middles);
         this.marks.visible = shown.length > 0 && this.count > LARGE;
         this.stage.draw();
     }
