@@ -43,10 +43,6 @@ typedef struct block {
     uint32_t is_left[BLOCK];
 } block;
 
-static inline float lesser(float a, float b) { return a < b ? a : b; }
-
-static inline float greater(float a, float b) { return a > b ? a : b; }
-
 static inline uint32_t box_normals(block *b, const float *at[3][3], const float c[3], const float h[3], size_t count)
 {
     uint32_t any = 0;
@@ -57,7 +53,7 @@ static inline uint32_t box_normals(block *b, const float *at[3][3], const float 
             b->v[0][a][i] = p;
             b->v[1][a][i] = q;
             b->v[2][a][i] = r;
-            is_left &= (uint32_t)(lesser(lesser(p, q), r) <= h[a]) & (uint32_t)(greater(greater(p, q), r) >= -h[a]);
+            is_left &= (uint32_t)(min2(min2(p, q), r) <= h[a]) & (uint32_t)(max2(max2(p, q), r) >= -h[a]);
         }
         b->is_left[i] = is_left;
         any |= is_left;
@@ -69,7 +65,7 @@ static inline uint32_t on_edge(const float end[3], const float third[3], const f
 {
     const float p = f[a] * end[b] - f[b] * end[a], q = f[a] * third[b] - f[b] * third[a];
     const float r = h[a] * fabsf(f[b]) + h[b] * fabsf(f[a]);
-    return (uint32_t)(lesser(p, q) <= r) & (uint32_t)(greater(p, q) >= -r);
+    return (uint32_t)(min2(p, q) <= r) & (uint32_t)(max2(p, q) >= -r);
 }
 
 static inline void plane_and_edges(block *b, const float h[3])
