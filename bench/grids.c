@@ -18,8 +18,8 @@
 #include "common/box_scenes.h"
 #include "common/rivals.h"
 #include "console/clock.h"
-#include "console/pages.h"
-#include "voxelize/layers.h"
+#include "console/system.h"
+#include "voxelize/voxel_task.h"
 
 enum { CHUNK = 8192, TILE = 128, TILE_OF_IDS = 64, WARM = 3 /* runs in memory that is not new */ };
 

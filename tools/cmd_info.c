@@ -7,7 +7,7 @@
 #include "console/message.h"
 #include "console/options.h"
 #include "console/output.h"
-#include "console/processors.h"
+#include "console/system.h"
 #include "write/volume.h"
 
 static const char help[] = "tribox info - version, processor, and the kernels that it can run\n"

@@ -8,8 +8,7 @@
 #include "console/numbers.h"
 #include "console/options.h"
 #include "console/output.h"
-#include "console/processors.h"
-#include "console/terminal.h"
+#include "console/system.h"
 #include "overlap/overlap.h"
 #include "read/mesh_file.h"
 

@@ -11,17 +11,16 @@
 #include <string.h>
 
 #include "console/clock.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "console/options.h"
 #include "console/output.h"
-#include "console/processors.h"
 #include "partition/partition.h"
 #include "partition/tile_sort.h"
 #include "voxelize/grid_options.h"
 #include "voxelize/tile_set.h"
-#include "voxelize/voxelize_report.h"
+#include "voxelize/result_options.h"
 #include "write/file_out.h"
 
 typedef struct partition_request {

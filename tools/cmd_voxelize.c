@@ -8,7 +8,7 @@
 #include "console/numbers.h"
 #include "console/options.h"
 #include "console/output.h"
-#include "console/processors.h"
+#include "console/system.h"
 #include "partition/partition.h"
 #include "read/mesh_file.h"
 #include "voxelize/voxelize_work.h"

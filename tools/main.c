@@ -6,7 +6,7 @@
 #include "cmd.h"
 #include "console/message.h"
 #include "console/output.h"
-#include "console/terminal.h"
+#include "console/system.h"
 
 /* The program never calls setlocale: numbers are read and written with a point everywhere. */
 

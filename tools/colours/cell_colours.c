@@ -1,5 +1,5 @@
 /* cell_colours.c - finds the colour of a cell: its brick, and how many of that brick's cells come before it. */
-#include "cell_colours.h"
+#include "colours.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,14 +1,14 @@
 /* mesh_colours.c - the colours of vertices and faces, and the materials of OBJ: what their files say, and which the faces have. */
-#include "mesh_colours.h"
+#include "colours.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "read/assimp_part.h"
 #include "read/mesh.h"
 #include "read/scan.h"

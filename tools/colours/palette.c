@@ -2,7 +2,7 @@
  * palette.c - counts colours, and where there are too many divides them: Heckbert's median cut, 1982; and the curve of sRGB, IEC
  * 61966-2-1.
  */
-#include "cell_colours.h"
+#include "colours.h"
 
 #include <math.h>
 #include <stdlib.h>

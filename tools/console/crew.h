@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "processors.h"
+#include "system.h"
 
 /*
  * Calls work(data, 0), and work(data, 1) to work(data, threads - 1) on threads of their own, and returns when all have returned.

@@ -1,5 +1,5 @@
 /* decimal.c - tries one digit after the other until the number is found again; chooses units that fit. */
-#include "decimal.h"
+#include "written_number.h"
 
 #include <math.h>
 #include <stdio.h>

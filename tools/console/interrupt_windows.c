@@ -8,7 +8,7 @@
 #include <windows.h>
 
 #include "message.h"
-#include "terminal.h"
+#include "system.h"
 #include "wide_text.h"
 
 enum { WATCHED_MOST = 16 };

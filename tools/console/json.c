@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "decimal.h"
+#include "written_number.h"
 
 json json_to(FILE *to) { return (json){.to = to}; }
 

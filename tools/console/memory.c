@@ -1,11 +1,9 @@
 /* memory.c - sizes of memory for people to read, and lists that grow by doubling. */
-#include "memory.h"
+#include "system.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "pages.h"
 
 bool memory_read(const char *text, uint64_t *bytes)
 {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "decimal.h"
+#include "written_number.h"
 #include "message.h"
 #include "options.h"
 

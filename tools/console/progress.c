@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "clock.h"
-#include "terminal.h"
+#include "system.h"
 
 enum { WIDTH = 30, WIDTH_BESIDE_UNIT = 12, LINE = 79 };
 static const double first_after = 0.7, again_after = 0.1;

@@ -1,9 +1,6 @@
 /* system_posix.c - what the program asks Linux and its like about streams, processors and memory. */
 #define _DEFAULT_SOURCE
-#include "memory.h"
-#include "pages.h"
-#include "processors.h"
-#include "terminal.h"
+#include "system.h"
 
 #include <inttypes.h>
 #include <stdbool.h>

@@ -1,8 +1,6 @@
 /* system_windows.c - what the program asks Windows about processors and memory. */
 #define _WIN32_WINNT 0x0601
-#include "memory.h"
-#include "pages.h"
-#include "processors.h"
+#include "system.h"
 
 #include <stdio.h>
 #include <windows.h>

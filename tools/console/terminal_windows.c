@@ -1,5 +1,5 @@
 /* terminal_windows.c - the command line in UTF-16 as UTF-8, streams without line ends of their own, a console that shows UTF-8. */
-#include "terminal.h"
+#include "system.h"
 
 #include <fcntl.h>
 #include <io.h>

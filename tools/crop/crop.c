@@ -10,8 +10,7 @@
 
 #include "console/interrupt.h"
 #include "console/message.h"
-#include "crop_faces.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "read/little.h"
 #include "tribox.h"
 

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "crop_faces.h"
-#include "files/file_map.h"
+#include "crop.h"
+#include "files/files.h"
 #include "read/scan.h"
 
 /* Numbers of vertices, some of which are kept: those get numbers from 0, in the same order. 12 bytes for 64 numbers. */

@@ -12,9 +12,7 @@
 
 #include "console/interrupt.h"
 #include "console/message.h"
-#include "file_map.h"
-#include "named_file.h"
-#include "new_file.h"
+#include "files.h"
 
 FILE *named_file_open(const char *path, const char *mode) { return fopen(path, mode); }
 

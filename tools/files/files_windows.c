@@ -9,9 +9,7 @@
 #include <windows.h>
 
 #include "console/wide_text.h"
-#include "file_map.h"
-#include "named_file.h"
-#include "new_file.h"
+#include "files.h"
 
 /* How CreateFileW is called; others may always read, rename and remove the file. */
 typedef struct windows_way {

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beam.h"
 #include "console/crew.h"
 #include "console/message.h"
 #include "console/progress.h"

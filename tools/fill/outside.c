@@ -3,7 +3,7 @@
  * kept until the tile on its other side is there, and then tiles are filled beam by beam.
  */
 #define _POSIX_C_SOURCE 200809L
-#include "beam.h"
+#include "fill_tiles.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,12 +1,12 @@
 /* parity_beams.c - which triangles the rays of each beam may cross, and the beams filled from these. */
-#include "beam.h"
+#include "fill_tiles.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "console/message.h"
-#include "console/pages.h"
+#include "console/system.h"
 #include "tribox_threads.h"
 
 /* ------------------------------------------------------------------------------------------------------------------------ lists */

@@ -1,6 +1,6 @@
 /* box_after_box.c - an order and an index by several threads, from one stage to the next, and the question at each. */
 #define _POSIX_C_SOURCE 200809L
-#include "box_after_box.h"
+#include "overlap.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -10,11 +10,9 @@
 
 #include "console/clock.h"
 #include "console/crew.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
-#include "console/pages.h"
 #include "read/mesh.h"
-#include "report.h"
 #include "tribox.h"
 #include "tribox_threads.h"
 

@@ -4,12 +4,10 @@
 
 #include <stdlib.h>
 
-#include "box_after_box.h"
 #include "console/clock.h"
 #include "console/message.h"
-#include "console/terminal.h"
+#include "console/system.h"
 #include "read/mesh_file.h"
-#include "report.h"
 
 int masks_make(size_t count, bool wants_inside, masks *bits)
 {

@@ -1,4 +1,4 @@
-/* overlap.h - a request of tribox overlap, and its answer. */
+/* overlap.h - a request of tribox overlap, its answer, what prints it, and what asks an index for it. */
 #ifndef OVERLAP_H
 #define OVERLAP_H
 
@@ -80,5 +80,50 @@ int overlap_stream(const request *r, triangle_file *file, crop_files *files);
 
 /* Writes the mesh again by what was found. Returns an exit_code. */
 int overlap_crop(const request *r, const masks *bits, crop_files *files, answer *a);
+
+/* What an index finds: the words of a mask that are not zero, in ascending order. */
+typedef struct found_words {
+    size_t room;       /* the words of the whole mask */
+    size_t count;      /* those that are there */
+    uint32_t *number;  /* bit b of bits[k] is triangle 64 * number[k] + b */
+    uint64_t *bits;    /* what all others point into */
+    uint64_t *mask;    /* a whole mask and */
+    uint64_t *touched; /* a bit for each of its words: zero between calls */
+} found_words;
+
+/*
+ * Continues the list of an answer, or starts it where first is 0, with the numbers of the triangles first .. first + count - 1
+ * whose bits are set. Returns an exit_code.
+ */
+int report_list(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count);
+
+/* The whole list of an answer, from the words that are not zero. Returns an exit_code. */
+int report_words(const request *r, answer *a, const found_words *words);
+
+/* Prints the rest of the answer, or all of it where no list is wanted, and flushes the output. Returns an exit_code. */
+int report_end(const request *r, answer *a);
+
+typedef struct box_after_box {
+    const request *r;
+    mesh *m;
+    index_stage stage, last; /* the last that can be reached */
+    double seconds;          /* of the tests at this stage */
+    masks bits;              /* of tests without an index */
+    tribox_index index;
+    void *nodes;       /* of the index */
+    uint32_t *order;   /* the number in the file of each triangle; NULL until the mesh is in order */
+    found_words words; /* with --list */
+} box_after_box;
+
+/* Returns an exit_code; on success box_after_box_end gives back what this and the questions have taken, but not the mesh. */
+int box_after_box_start(const request *r, mesh *m, box_after_box *b);
+
+/* Answers a->box. Returns an exit_code. */
+int box_after_box_ask(box_after_box *b, answer *a);
+
+/* Prints the list of the last answer. Returns an exit_code. */
+int box_after_box_list(const box_after_box *b, answer *a);
+
+void box_after_box_end(box_after_box *b);
 
 #endif

@@ -10,8 +10,7 @@
 #include "console/message.h"
 #include "overlap.h"
 #include "console/progress.h"
-#include "console/terminal.h"
-#include "report.h"
+#include "console/system.h"
 
 /* What a thread works on: as nine streams of floats, or as doubles. */
 typedef struct block {

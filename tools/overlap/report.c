@@ -1,11 +1,11 @@
 /* report.c - prints answers; the list comes before the counts, as it may be printed while the mesh is read. */
-#include "report.h"
+#include "overlap.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 
 #include "console/accuracy.h"
-#include "console/decimal.h"
+#include "console/written_number.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "console/output.h"

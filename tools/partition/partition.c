@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "files/named_file.h"
-#include "voxelize/tile_work.h"
+#include "files/files.h"
+#include "voxelize/tile_set.h"
 
 _Static_assert(sizeof(partition_header) == 176 && sizeof(partition_tile) == 32,
                "these are a file format: they have no padding and do not change");

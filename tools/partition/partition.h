@@ -16,7 +16,7 @@
 
 #include <stdbool.h>
 
-#include "files/file_map.h"
+#include "files/files.h"
 #include "tribox.h"
 #include "write/checksum.h"
 #include "write/voxels.h"

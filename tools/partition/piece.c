@@ -10,8 +10,7 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "files/file_map.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "read/mesh.h"
 #include "read/scan.h"
 

@@ -17,9 +17,8 @@
 #include "console/crew.h"
 #include "console/message.h"
 #include "console/progress.h"
-#include "files/file_map.h"
-#include "files/named_file.h"
-#include "voxelize/tile_work.h"
+#include "files/files.h"
+#include "voxelize/tile_set.h"
 #include "write/part.h"
 
 enum { NUMBERS = 9 };

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "colours/cell_colours.h"
+#include "colours/colours.h"
 #include "console/crew.h"
 
 enum { FINE = 2 /* samples along each side of a pixel */, SAMPLES = FINE * FINE, MAP_SIDE = 1536, DISK = 32 };

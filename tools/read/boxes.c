@@ -4,10 +4,10 @@
 #include <errno.h>
 #include <string.h>
 
-#include "console/decimal.h"
+#include "console/written_number.h"
 #include "console/message.h"
 #include "console/numbers.h"
-#include "files/named_file.h"
+#include "files/files.h"
 
 /* Most bytes of a line without its comment, and of a file's name in messages. */
 enum { LINE_MAX_BYTES = 1024, NAME_SHOWN = 1000 };

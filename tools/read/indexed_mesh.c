@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
 
 /* Corners that a polygon may have, and that are looked at for each of these: without an end a file could ask for years. */

@@ -8,7 +8,7 @@
 #include <strings.h>
 
 #include "console/message.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "plain.h"
 #include "mesh_file.h"
 #include "words.h"

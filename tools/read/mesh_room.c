@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "console/pages.h"
+#include "console/system.h"
 
 enum { TRIANGLE_BYTES = 9 * sizeof(float) };
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "console/crew.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
 #include "mesh_file.h"
 

@@ -6,8 +6,8 @@
 
 #include "console/crew.h"
 #include "console/message.h"
-#include "console/pages.h"
-#include "files/named_file.h"
+#include "console/system.h"
+#include "files/files.h"
 #include "little.h"
 #include "mesh.h"
 #include "plain.h"

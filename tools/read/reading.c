@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "console/progress.h"
-#include "console/terminal.h"
+#include "console/system.h"
 
 static bool is_shown;
 static progress bar;

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
 
 #define FORMAT(kind, name, word, ending, comment) {scan_open_##name, scan_next_##name, comment},

@@ -8,10 +8,9 @@
 #include <string.h>
 
 #include "console/crew.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
-#include "console/pages.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "mesh_file.h"
 
 static const char *after_line(const char *from, const char *end)

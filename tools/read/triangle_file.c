@@ -10,7 +10,7 @@
 
 #include "little.h"
 #include "console/message.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "tribox.h"
 
 enum { NUMBERS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, STL_RECORD = 50 };

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "colours/cell_colours.h"
+#include "colours/colours.h"
 
 /* ------------------------------------------------------------------------------------------------------------------- rectangles */
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "console/decimal.h"
+#include "console/written_number.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "write/voxels.h"

@@ -1,6 +1,12 @@
-/* layers.c - threads share the triangles of a grid with few words, and the layers of others. */
+/*
+ * layers.c - threads share the triangles of a grid with few words, and the layers of others.
+ *
+ * The layers are divided into slabs whose estimated work is about equal, by a histogram of the triangles over the layers. A thread
+ * takes one slab after another and voxelizes it as a window of whole layers. A slab owns its words, so that the bits are the same
+ * for every number of threads. In a grid of few words each thread has words of its own.
+ */
 #define _POSIX_C_SOURCE 200809L
-#include "layers.h"
+#include "voxel_task.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -8,7 +14,7 @@
 #include <string.h>
 
 #include "console/crew.h"
-#include "console/pages.h"
+#include "console/system.h"
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 

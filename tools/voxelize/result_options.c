@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "console/terminal.h"
+#include "console/system.h"
 
 static int read_vdb_grid(const char *word, bool *is_mask)
 {

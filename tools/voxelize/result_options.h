@@ -1,12 +1,14 @@
-/* result_options.h - the options that voxelize and merge share: where the cells go, and what is printed. */
+/* result_options.h - the options that voxelize and merge share, where the cells go, and what is printed of them. */
 #ifndef RESULT_OPTIONS_H
 #define RESULT_OPTIONS_H
 
 #include <stdbool.h>
 
+#include "console/json.h"
 #include "console/option_reader.h"
 #include "picture/preview.h"
 #include "write/volume.h"
+#include "write/voxels.h"
 
 /* They come first in the tables of both commands, whose requests have a `result` and whose own options start at RESULT_END. */
 enum {
@@ -81,5 +83,12 @@ file_out_names result_names(const result_request *r);
  * word for what is read. Returns an exit_code.
  */
 int result_check(result_request *r, const options_found *found, const char *what, const char *const *read, size_t count);
+
+/* As lines of a summary, and as members of a JSON object. */
+void voxelize_print_grid(const voxels *v, bool is_shifted);
+void voxelize_json_grid(json *j, const voxels *v, bool is_shifted);
+
+void voxelize_print_written(const char *path, bool lacks_place);
+void voxelize_print_preview(const char *path, const char *up);
 
 #endif

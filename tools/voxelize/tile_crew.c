@@ -6,8 +6,7 @@
 #include <string.h>
 
 #include "console/crew.h"
-#include "console/memory.h"
-#include "console/pages.h"
+#include "console/system.h"
 #include "write/voxels.h"
 
 typedef struct kept_brick {

@@ -1,7 +1,7 @@
 /* tile_room.c - hands tiles to the library: of a mesh, or of partitions, whose triangles are checked before. */
 #include <stdlib.h>
 
-#include "console/pages.h"
+#include "console/system.h"
 #include "tile_set.h"
 #include "write/voxels.h"
 

@@ -7,10 +7,8 @@
 #include <string.h>
 
 #include "console/crew.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
-#include "console/pages.h"
-#include "tile_work.h"
 #include "voxel_task.h"
 
 enum { RUNS_MAX = 256 };

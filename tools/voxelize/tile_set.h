@@ -1,9 +1,11 @@
-/* tile_set.h - the triangles of each tile of a grid: lists over a mesh in memory, or a partition on disk. */
+/* tile_set.h - the triangles of each tile of a grid, lists over a mesh in memory or a partition on disk; and what they cost. */
 #ifndef TILE_SET_H
 #define TILE_SET_H
 
-#include "console/processors.h"
+#include <stdbool.h>
+
 #include "console/progress.h"
+#include "console/system.h"
 #include "partition/partition.h"
 #include "voxel_task.h"
 
@@ -80,5 +82,17 @@ typedef struct tile_found {
  */
 tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tile_sink *sink, progress *bar,
                             tile_found *found);
+
+/* Nanoseconds that a tile takes by itself. */
+enum { TILE_WORK = 62000 };
+
+/*
+ * What a triangle costs in each of `tiles` tiles that it is in, of this side: whole, so that the sum of a tile is the same in
+ * whatever order its triangles are met. u: x, y, z of each vertex.
+ */
+uint64_t tile_work_of(const tribox_grid *grid, uint32_t side, const double u[9], uint32_t tiles);
+
+/* Writes the work of the set's own records, which have lists. False where there is no memory. */
+bool tile_work_estimate(const tile_set *set, partition_tile *records);
 
 #endif

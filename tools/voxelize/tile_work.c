@@ -1,5 +1,5 @@
 /* tile_work.c - estimates the work in each tile: what it costs by itself, by the rows that triangles cross, and by their reach. */
-#include "tile_work.h"
+#include "tile_set.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,10 @@
-/* voxel_task.h - triangles and a grid: a soup, or a mesh of doubles. */
+/* voxel_task.h - triangles and a grid: a soup, or a mesh of doubles; and all of its cells at once, by several threads. */
 #ifndef VOXEL_TASK_H
 #define VOXEL_TASK_H
 
 #include <stdbool.h>
 
+#include "console/progress.h"
 #include "tribox.h"
 
 typedef struct voxel_task {
@@ -29,5 +30,15 @@ tribox_status voxel_task_lists(const voxel_task *task, size_t first, size_t coun
 
 /* The coordinates of triangle t: u[a][v] of vertex v on axis a. */
 void voxel_task_triangle(const voxel_task *task, size_t t, double u[3][3]);
+
+/*
+ * Does what tribox_voxelize does for the whole grid, which it serves, and returns what it returns; report as there.
+ *
+ * threads: how many work, the calling one among them: 1 to THREADS_MAX, other values count as the nearest of these. Where the
+ * system starts fewer, or there is little memory, fewer do all the work.
+ * bar: NULL for none.
+ */
+tribox_status voxelize_in_threads(const voxel_task *task, unsigned threads, uint64_t *occupied, tribox_report *report,
+                                  progress *bar);
 
 #endif

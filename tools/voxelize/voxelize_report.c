@@ -1,11 +1,11 @@
 /* voxelize_report.c - prints the summary of a voxelization. */
-#include "voxelize_report.h"
+#include "result_options.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 
 #include "console/accuracy.h"
-#include "console/decimal.h"
+#include "console/written_number.h"
 #include "console/output.h"
 #include "voxelize_work.h"
 

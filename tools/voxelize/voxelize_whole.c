@@ -3,15 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "colours/cell_colours.h"
-#include "colours/mesh_colours.h"
+#include "colours/colours.h"
 #include "console/clock.h"
 #include "console/crew.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
-#include "console/pages.h"
 #include "console/progress.h"
-#include "layers.h"
+#include "voxel_task.h"
 #include "read/mesh.h"
 #include "tile_set.h"
 #include "tribox_threads.h"

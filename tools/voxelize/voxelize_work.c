@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "console/interrupt.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
 
 /*

@@ -2,7 +2,7 @@
 #ifndef VOXELIZE_WORK_H
 #define VOXELIZE_WORK_H
 
-#include "colours/mesh_colours.h"
+#include "colours/colours.h"
 #include "fill/fill_tiles.h"
 #include "grid_options.h"
 #include "partition/partition.h"

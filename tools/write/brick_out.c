@@ -8,7 +8,7 @@
 
 #include "console/interrupt.h"
 #include "console/message.h"
-#include "files/new_file.h"
+#include "files/files.h"
 
 enum { CHUNK = 1 << 16 };
 

@@ -8,10 +8,9 @@
 #include <string.h>
 
 #include "brick_out.h"
-#include "colours/cell_colours.h"
-#include "console/memory.h"
+#include "colours/colours.h"
+#include "console/system.h"
 #include "console/message.h"
-#include "console/pages.h"
 #include "read/little.h"
 
 /* ----------------------------------------------------------------------------------------------------------------------- arrays */

@@ -11,10 +11,10 @@
 #include <unistd.h>
 
 #include "brick_out.h"
-#include "colours/cell_colours.h"
+#include "colours/colours.h"
 #include "console/interrupt.h"
 #include "console/message.h"
-#include "files/new_file.h"
+#include "files/files.h"
 #include "vdb_filter.h"
 
 extern char **environ;

@@ -12,7 +12,7 @@
 
 #include "console/crew.h"
 #include "console/message.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "read/little.h"
 
 /*

@@ -7,8 +7,7 @@
 
 #include "console/interrupt.h"
 #include "console/message.h"
-#include "files/named_file.h"
-#include "files/new_file.h"
+#include "files/files.h"
 
 bool file_out_is_stdout(const char *path) { return !strcmp(path, "-"); }
 

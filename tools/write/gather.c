@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "brick_out.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
 #include "read/little.h"
 

@@ -1,6 +1,6 @@
 /* npy.c - NumPy's own format: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html */
 #define _POSIX_C_SOURCE 200809L
-#include "npy.h"
+#include "zip.h"
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -7,7 +7,7 @@
 
 #include "console/crew.h"
 #include "console/message.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "npz.h"
 #include "read/little.h"
 

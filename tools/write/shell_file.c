@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "brick_out.h"
-#include "console/decimal.h"
+#include "console/written_number.h"
 #include "console/message.h"
 #include "read/little.h"
 #include "shell/shell.h"

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "brick_out.h"
-#include "console/decimal.h"
+#include "console/written_number.h"
 #include "console/message.h"
 
 const volume_writer volume_raw = {.frame = &(const volume_frame){.has_words = true}};

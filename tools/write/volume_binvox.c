@@ -1,7 +1,7 @@
 /* volume_binvox.c - the format of P. Min's binvox: https://www.patrickmin.com/binvox/binvox.html */
 #include <stdlib.h>
 
-#include "console/decimal.h"
+#include "console/written_number.h"
 #include "console/message.h"
 #include "volume.h"
 

@@ -4,7 +4,7 @@
  * VTK's images, for ParaView: https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
  * Nearly raw raster data, for 3D Slicer: https://teem.sourceforge.net/nrrd/format.html
  */
-#include "console/decimal.h"
+#include "console/written_number.h"
 #include "read/little.h"
 #include "volume.h"
 

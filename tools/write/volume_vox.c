@@ -1,7 +1,7 @@
 /* volume_vox.c - MagicaVoxel's format, one model: https://github.com/ephtracy/voxel-model, MagicaVoxel-file-format-vox.txt */
 #include <stdlib.h>
 
-#include "colours/cell_colours.h"
+#include "colours/colours.h"
 #include "console/message.h"
 #include "read/little.h"
 #include "volume.h"

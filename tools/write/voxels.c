@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
 
 static const voxels_slab *slab_of(const voxels *v, uint32_t k)

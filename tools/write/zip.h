@@ -1,4 +1,4 @@
-/* zip.h - .zip files, written and read, whose members start with a header that is known when they end. */
+/* zip.h - .zip files, written and read, whose members are arrays of NumPy: they start with a header that is known when they end. */
 #ifndef ZIP_H
 #define ZIP_H
 
@@ -6,7 +6,10 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "npy.h"
+enum { NPY_HEADER = 128 }; /* whatever the array */
+
+/* type: such as "<u4". shape: as Python writes it, "(3, 4)". Both together are of at most 60 characters. */
+void npy_header(unsigned char header[NPY_HEADER], const char *type, const char *shape);
 
 enum { ZIP_MEMBERS_MAX = 10, ZIP_NAME_MAX = 15 };
 

@@ -9,10 +9,9 @@
 #include <string.h>
 
 #include "console/crew.h"
-#include "console/memory.h"
+#include "console/system.h"
 #include "console/message.h"
-#include "console/pages.h"
-#include "files/named_file.h"
+#include "files/files.h"
 #include "read/mesh.h"
 #include "read/mesh_file.h"
 
