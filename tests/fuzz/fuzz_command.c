@@ -39,13 +39,14 @@ static int run(const char *name, int count, char **words)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static int is_quiet;
-    char *words[WORDS_MAX + 1];
+    char *words[WORDS_MAX + 1], *given[WORDS_MAX + 1];
     if (!is_quiet++)
         ensure(freopen("/dev/null", "w", stdout), "help cannot be sent away");
     const int count = split((const char *)data, size, words);
     if (count) {
         lines_forget();
-        lines_fit(words[0], run(words[0], count, words));
+        memcpy(given, words, sizeof given); /* the command moves them */
+        lines_fit(words[0], run(words[0], count, given));
     }
     for (int i = 0; i < count; i++)
         free(words[i]);
