@@ -9,7 +9,6 @@
 
 #include "message.h"
 #include "system.h"
-#include "wide_text.h"
 
 enum { WATCHED_MOST = 16 };
 

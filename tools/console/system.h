@@ -53,4 +53,10 @@ void *pages_take(size_t bytes);
 /* bytes: as they were taken. room: NULL for none. */
 void pages_free(void *room, size_t bytes);
 
+#ifdef _WIN32
+/* Windows names everything in UTF-16. Memory to be freed, or NULL; half a pair becomes a replacement character. */
+wchar_t *wide_of_utf8(const char *text);
+char *utf8_of_wide(const wchar_t *text);
+#endif
+
 #endif

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <windows.h>
 
-#include "console/wide_text.h"
+#include "console/system.h"
 #include "files.h"
 
 /* How CreateFileW is called; others may always read, rename and remove the file. */
