@@ -82,14 +82,26 @@ static void draw_tenths(random_source *r, tribox_grid *grid)
     }
 }
 
-/* Of floats or of doubles; planes are doubles. */
-static void draw_any(random_source *r, tribox_grid *grid)
+/* Numbers between others, times a power of two that all axes share, or that each has its own of. */
+struct grid_range {
+    double at[3], spread, cell[2];
+    int exponent[2];
+    bool are_own;
+};
+
+static const grid_range any = {{-15, -15, -15}, 35, {0.4, 2.5}, {0, 0}, false};
+
+/* Of floats at times, where they are in range; often of one length, or with planes that are multiples of it. */
+static void draw_range(random_source *r, const grid_range *of, tribox_grid *grid)
 {
-    const bool is_float = random_int(r, 2);
-    for (int a = 0; a < 3; a++) {
-        const double cell = random_double(r, 0.4, 2.5), from = random_double(r, -50, 20);
-        grid->cell[a] = is_float ? nearest_float(cell) : cell;
-        grid->origin[a] = is_float ? nearest_float(from) : from;
+    const bool are_floats = random_int(r, 2) && of->exponent[0] >= -122 && of->exponent[1] <= 115;
+    const bool is_cubic = random_int(r, 4) == 0, are_multiples = random_int(r, 4) == 0;
+    for (int a = 0, exponent = 0; a < 3; a++) {
+        exponent = a && !of->are_own ? exponent : random_int_between(r, of->exponent[0], of->exponent[1]);
+        const double cell = ldexp(random_double(r, of->cell[0], of->cell[1]), exponent);
+        const double from = ldexp(of->at[a] + of->spread * random_double(r, -1, 1), exponent);
+        grid->cell[a] = is_cubic && a ? grid->cell[0] : are_floats ? nearest_float(cell) : cell;
+        grid->origin[a] = are_multiples ? floor(from / grid->cell[a]) * grid->cell[a] : are_floats ? nearest_float(from) : from;
     }
 }
 
@@ -117,44 +129,9 @@ static void draw_far(random_source *r, tribox_grid *grid)
 
 static void draw_offset(random_source *r, tribox_grid *grid)
 {
-    draw_any(r, grid);
+    draw_range(r, &any, grid);
     for (int a = 0; a < 3; a++)
         grid->origin[a] += random_int_between(r, -1, 1) * pow(10, random_double(r, 3, 5));
-}
-
-static void draw_own_lengths(random_source *r, tribox_grid *grid)
-{
-    for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexp(random_int(r, 2) ? 1 : 1.3, random_int_between(r, -20, 20));
-        grid->origin[a] = grid->cell[a] * random_int_between(r, -100, 100);
-    }
-}
-
-static void scale(tribox_grid *grid, int exponent)
-{
-    for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexp(grid->cell[a], exponent);
-        grid->origin[a] = ldexp(grid->origin[a], exponent);
-    }
-}
-
-static void draw_tiny(random_source *r, tribox_grid *grid)
-{
-    draw_any(r, grid);
-    scale(grid, random_int_between(r, -122, -100));
-}
-
-static void draw_huge(random_source *r, tribox_grid *grid)
-{
-    draw_any(r, grid);
-    scale(grid, random_int_between(r, 80, 115));
-}
-
-/* Small and large, but far from the ends of the float range. */
-static void draw_scaled(random_source *r, tribox_grid *grid)
-{
-    draw_any(r, grid);
-    scale(grid, random_int(r, 2) ? -90 : 90);
 }
 
 /* The float nearest to the first plane is many cells away from it, up to more than float can count with. */
@@ -179,18 +156,11 @@ static void draw_subnormal(random_source *r, tribox_grid *grid)
     }
 }
 
-/* No number of the grid is a float, nor near one. */
-static void draw_beyond_floats(random_source *r, tribox_grid *grid)
-{
-    draw_any(r, grid);
-    scale(grid, random_int(r, 2) ? random_int_between(r, -1060, -150) : random_int_between(r, 126, 1000));
-}
-
 /* Subnormal on one axis, ordinary on another, huge on the third. */
 static void draw_mixed(random_source *r, tribox_grid *grid)
 {
     const int turn = random_int(r, 3);
-    draw_any(r, grid);
+    draw_range(r, &any, grid);
     const int low = turn, high = (turn + 1) % 3;
     grid->cell[low] = ldexp(random_int_between(r, 1, 9), random_int_between(r, -149, -130));
     grid->origin[low] = grid->cell[low] * random_int_between(r, -50, 50);
@@ -210,116 +180,52 @@ static void draw_ends_of_range(random_source *r, tribox_grid *grid)
 
 static void draw_one_cell(random_source *r, tribox_grid *grid)
 {
-    draw_any(r, grid);
+    draw_range(r, &any, grid);
     grid->size[0] = grid->size[1] = grid->size[2] = 1;
-}
-
-/* Of doubles. */
-
-static void draw_far_from_origin(random_source *r, tribox_grid *grid)
-{
-    static const double cells[] = {0.5, 0.1, 0.0625, 1e-3, 1e-5};
-    const double cell = cells[random_int(r, 5)];
-    for (int a = 0; a < 3; a++) {
-        grid->origin[a] = random_double(r, -1e7, 1e7);
-        grid->cell[a] = cell;
-    }
-}
-
-/* Cells of few spacings of doubles, down to one. */
-static void draw_geocentric(random_source *r, tribox_grid *grid)
-{
-    static const double at[3] = {4.1e6, -1.13e6, 4.74e6};
-    for (int a = 0; a < 3; a++) {
-        grid->origin[a] = at[a] + random_double(r, -1000, 1000);
-        grid->cell[a] = 1e-9 * random_int_between(r, 1, 9);
-    }
-}
-
-static void draw_mercator(random_source *r, tribox_grid *grid)
-{
-    static const double at[3] = {1.49e6, 6.89e6, 120};
-    for (int a = 0; a < 3; a++) {
-        grid->origin[a] = at[a] + random_double(r, -500, 500);
-        grid->cell[a] = a == 2 ? 0.05 : 0.01;
-    }
-}
-
-static double draw_number(random_source *r) { return (random_int(r, 2) ? 1 : -1) * random_double(r, 1, 2); }
-
-static void draw_lengths(random_source *r, tribox_grid *grid)
-{
-    for (int a = 0; a < 3; a++) {
-        grid->cell[a] = fabs(ldexp(draw_number(r), random_int_between(r, -60, 60)));
-        grid->origin[a] = grid->cell[a] * random_double(r, -1e6, 1e6);
-    }
-}
-
-static void draw_exponents(random_source *r, tribox_grid *grid)
-{
-    for (int a = 0; a < 3; a++) {
-        const int exponent = random_int_between(r, -1070, 1010);
-        grid->cell[a] = fabs(ldexp(draw_number(r), exponent));
-        grid->origin[a] = random_int(r, 2) ? ldexp(draw_number(r), random_int_between(r, -1074, exponent + 10))
-                                           : grid->cell[a] * random_double(r, -100, 100);
-    }
-}
-
-static void draw_huge_doubles(random_source *r, tribox_grid *grid)
-{
-    for (int a = 0; a < 3; a++) {
-        grid->origin[a] = -random_double(r, 0, 1) * DBL_MAX;
-        grid->cell[a] = random_double(r, 0.001, 0.1) * DBL_MAX;
-    }
-}
-
-static void draw_subnormal_doubles(random_source *r, tribox_grid *grid)
-{
-    for (int a = 0; a < 3; a++) {
-        grid->origin[a] = random_int_between(r, -100, 100) * 0x1p-1074;
-        grid->cell[a] = random_int_between(r, 1, 50) * 0x1p-1074;
-    }
 }
 
 /* Planes next to each other, or nearly. */
 static void draw_spacings(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        const double from = ldexp(draw_number(r), random_int_between(r, -20, 20)), spacing = nextafter(from, INFINITY) - from;
+        const double from = ldexp(random_double(r, random_int(r, 2) ? 1 : -2, 2), random_int_between(r, -20, 20)),
+                     spacing = nextafter(from, INFINITY) - from;
         grid->origin[a] = from;
         grid->cell[a] = spacing * (random_int(r, 2) ? random_int_between(r, 1, 6) : random_double(r, 1, 10));
     }
 }
 
 static const grid_kind kinds[] = {
-    {"units", draw_units, true, false},
-    {"dyadic", draw_dyadic, true, false},
-    {"nearly dyadic", draw_nearly_dyadic, true, false},
-    {"tenths", draw_tenths, true, false},
-    {"any", draw_any, true, false},
-    {"about zero", draw_about_zero, true, false},
-    {"far", draw_far, true, false},
-    {"offset", draw_offset, true, false},
-    {"own lengths", draw_own_lengths, true, false},
-    {"tiny", draw_tiny, false, false},
-    {"huge", draw_huge, false, false},
-    {"scaled", draw_scaled, true, false},
-    {"brink", draw_brink, true, false},
-    {"subnormal", draw_subnormal, false, false},
-    {"mixed", draw_mixed, false, false},
-    {"range", draw_ends_of_range, false, false},
-    {"beyond floats", draw_beyond_floats, false, false},
-    {"one cell", draw_one_cell, true, false},
-    {"plain doubles", draw_tenths, false, true},
-    {"dyadic doubles", draw_dyadic, false, true},
-    {"offset doubles", draw_far_from_origin, false, true},
-    {"geocentric", draw_geocentric, false, true},
-    {"mercator", draw_mercator, false, true},
-    {"lengths", draw_lengths, false, true},
-    {"exponents", draw_exponents, false, true},
-    {"huge doubles", draw_huge_doubles, false, true},
-    {"subnormal doubles", draw_subnormal_doubles, false, true},
-    {"spacings", draw_spacings, false, true},
+    {"units", draw_units, NULL, true, false},
+    {"dyadic", draw_dyadic, NULL, true, false},
+    {"nearly dyadic", draw_nearly_dyadic, NULL, true, false},
+    {"tenths", draw_tenths, NULL, true, false},
+    {"any", NULL, &any, true, false},
+    {"about zero", draw_about_zero, NULL, true, false},
+    {"far", draw_far, NULL, true, false},
+    {"offset", draw_offset, NULL, true, false},
+    {"own lengths", NULL, &(const grid_range){{0}, 100, {1, 1.3}, {-20, 20}, true}, true, false},
+    {"tiny", NULL, &(const grid_range){{-15, -15, -15}, 35, {0.4, 2.5}, {-122, -100}, false}, false, false},
+    {"huge", NULL, &(const grid_range){{-15, -15, -15}, 35, {0.4, 2.5}, {80, 115}, false}, false, false},
+    {"scaled", NULL, &(const grid_range){{-15, -15, -15}, 35, {0.4, 2.5}, {-90, 90}, false}, true, false},
+    {"brink", draw_brink, NULL, true, false},
+    {"subnormal", draw_subnormal, NULL, false, false},
+    {"mixed", draw_mixed, NULL, false, false},
+    {"range", draw_ends_of_range, NULL, false, false},
+    {"below floats", NULL, &(const grid_range){{-15, -15, -15}, 35, {0.4, 2.5}, {-1060, -150}, false}, false, false},
+    {"beyond floats", NULL, &(const grid_range){{-15, -15, -15}, 35, {0.4, 2.5}, {126, 1000}, false}, false, false},
+    {"one cell", draw_one_cell, NULL, true, false},
+    {"plain doubles", draw_tenths, NULL, false, true},
+    {"dyadic doubles", draw_dyadic, NULL, false, true},
+    {"offset doubles", NULL, &(const grid_range){{0}, 1e7, {1e-5, 0.5}, {0, 0}, false}, false, true},
+    {"geocentric", NULL, &(const grid_range){{4.1e6, -1.13e6, 4.74e6}, 1000, {1e-9, 9e-9}, {0, 0}, false}, false,
+     true}, /* of few spacings */
+    {"mercator", NULL, &(const grid_range){{1.49e6, 6.89e6, 120}, 500, {0.01, 0.05}, {0, 0}, false}, false, true},
+    {"lengths", NULL, &(const grid_range){{0}, 1e6, {1, 2}, {-60, 60}, true}, false, true},
+    {"exponents", NULL, &(const grid_range){{0}, 100, {1, 2}, {-1070, 1010}, true}, false, true},
+    {"huge doubles", NULL, &(const grid_range){{-0.5, -0.5, -0.5}, 0.5, {0.001, 0.1}, {1024, 1024}, false}, false, true},
+    {"subnormal doubles", NULL, &(const grid_range){{0}, 100, {1, 50}, {-1074, -1074}, false}, false, true},
+    {"spacings", draw_spacings, NULL, false, true},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0], OF_DOUBLES = 10 };
 
@@ -343,7 +249,10 @@ static bool draw_grid(random_source *r, const grid_kind *kind, cells_case *c)
     c->is_double = kind->is_double;
     c->form = kind->is_double ? DOUBLES : SOUP;
     c->count = 0;
-    kind->draw(r, &c->grid);
+    if (kind->draw)
+        kind->draw(r, &c->grid);
+    else
+        draw_range(r, kind->range, &c->grid);
     cells_open(c);
     return has_rising_planes(&c->grid);
 }

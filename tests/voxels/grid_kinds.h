@@ -4,9 +4,11 @@
 
 #include "cells.h"
 
+typedef struct grid_range grid_range;
 typedef struct grid_kind {
     const char *name;
-    void (*draw)(random_source *r, tribox_grid *grid);
+    void (*draw)(random_source *r, tribox_grid *grid); /* or NULL, and of numbers in a range */
+    const grid_range *range;
     bool is_within_fast; /* coordinates far from the ends of the float range, so that FAST keeps its band */
     bool is_double;      /* of what its triangles are */
 } grid_kind;
