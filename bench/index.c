@@ -134,10 +134,7 @@ static index_question question_of(field *f, kind k)
     const tribox_index *const index = k == OF_FILE ? &f->file : is_mesh ? &f->mesh_index[k - OF_MESH] : &f->cuts.index;
     return (index_question){.name = kind_names[k],
                             .index = index,
-                            .ids = index->ids,
                             .triangles = f->scene->work.pairs,
-                            .soup = index->soup,
-                            .mesh = index->mesh,
                             .boxes = k == TURNED       ? NULL
                                      : k == WIDE_BOXES ? f->wide
                                      : k == OF_DOUBLES ? f->moved

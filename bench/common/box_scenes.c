@@ -282,9 +282,9 @@ static inline bool ask_form(const index_question *q, index_form form, size_t b, 
         return !tribox_index_words(q->index, &region, options, tribox_mask_words(q->triangles), room->number, room->bits, NULL,
                                    found, NULL);
     case FORM_LINEAR:
-        return !(!q->boxes ? tribox_overlap_oriented(q->soup, region.oriented, options, room->linear, report)
-                 : q->soup ? tribox_overlap(q->soup, region.box, options, room->linear, report)
-                           : tribox_mesh_overlap(q->mesh, region.box, options, room->linear, report));
+        return !(!q->boxes        ? tribox_overlap_oriented(q->index->soup, region.oriented, options, room->linear, report)
+                 : q->index->soup ? tribox_overlap(q->index->soup, region.box, options, room->linear, report)
+                                  : tribox_mesh_overlap(q->index->mesh, region.box, options, room->linear, report));
     default:
         return !tribox_index_overlap(q->index, &region, options, form == FORM_MASK ? room->mask : NULL, report);
     }
@@ -344,7 +344,7 @@ static bool is_list_right(const index_question *q, size_t found)
 {
     size_t at = 0;
     for (size_t i = 0; i < q->triangles; i++)
-        if (is_set(q->room->linear, i) && (at == found || q->room->list[at++] != (q->ids ? q->ids[i] : (uint32_t)i)))
+        if (is_set(q->room->linear, i) && (at == found || q->room->list[at++] != (q->index->ids ? q->index->ids[i] : (uint32_t)i)))
             return false;
     return at == found;
 }

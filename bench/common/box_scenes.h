@@ -65,10 +65,7 @@ void answer_room_make(size_t triangles, size_t elsewhere_bytes, answer_room *mad
 typedef struct index_question {
     const char *name;
     const tribox_index *index;
-    const uint32_t *ids; /* NULL in the order of the file */
     size_t triangles;
-    const tribox_soup *soup; /* NULL for a mesh */
-    const tribox_mesh *mesh;
     const tribox_box *boxes; /* NULL for turned ones */
     const tribox_oriented_box *turned;
     size_t count, linear_count; /* boxes; without an index the first ones */

@@ -205,9 +205,7 @@ static index_question question_of(field *f, size_t linear_boxes)
 {
     return (index_question){.name = "cuts",
                             .index = &f->soup.index,
-                            .ids = f->soup.ids,
                             .triangles = f->soup.soup.count,
-                            .soup = &f->soup.soup,
                             .boxes = f->boxes,
                             .count = f->box_count,
                             .linear_count = linear_boxes,
