@@ -158,12 +158,13 @@ static bool ask_mesh(asked *q, const char *path)
 static bool answer(asked *q)
 {
     const char *const only = q->text[OPTION_SCENE];
-    bool is_right = true;
+    size_t one;
+    bool is_right = !only || scene_find(only, &one);
     for (size_t k = 0; is_right && k < q->meshes.count; k++)
         is_right = ask_mesh(q, q->meshes.path[k]);
     for (size_t i = 0; is_right && (only || !q->meshes.count) && i < scene_count(); i++) {
         scene at;
-        if (only ? strcmp(only, scene_name(i)) != 0 : !scene_is_usual(i))
+        if (only ? i != one : !scene_is_usual(i))
             continue;
         is_right = scene_make(i, q->seed, &at) && ask_about(q, &at);
         scene_free(&at);

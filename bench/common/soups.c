@@ -67,10 +67,6 @@ size_t scene_count(void) { return SCENES; }
 
 bool scene_is_usual(size_t index) { return index < SCENES - FOR_ORDERS; }
 
-const char *scene_name(size_t index) { return recipes[index].name; }
-
-const char *scene_what(size_t index) { return recipes[index].what; }
-
 enum { BATCH = 4096 };
 
 static tribox_box box_of(const struct recipe *r) { return (tribox_box){{r->lo, r->lo, r->lo}, {r->hi, r->hi, r->hi}}; }
@@ -166,12 +162,12 @@ static bool draw_all(const struct recipe *recipe, generator *g, triangle *triang
 
 bool scene_find(const char *name, size_t *index)
 {
-    for (*index = 0; *index < scene_count(); ++*index)
-        if (!strcmp(name, scene_name(*index)))
+    for (*index = 0; *index < SCENES; ++*index)
+        if (!strcmp(name, recipes[*index].name))
             return true;
     fprintf(stderr, "bench: unknown scene '%s'; the scenes are:\n", name);
-    for (size_t s = 0; s < scene_count(); s++)
-        fprintf(stderr, "  %-12s %s\n", scene_name(s), scene_what(s));
+    for (size_t s = 0; s < SCENES; s++)
+        fprintf(stderr, "  %-12s %s\n", recipes[s].name, recipes[s].what);
     return false;
 }
 

@@ -14,8 +14,6 @@ size_t scene_count(void);
 
 /* Not made for the order of the axes alone. */
 bool scene_is_usual(size_t index);
-const char *scene_name(size_t index);
-const char *scene_what(size_t index);
 
 /* Finds a scene by its name. False, with a list of the scenes on stderr, if there is none of that name. */
 bool scene_find(const char *name, size_t *index);
