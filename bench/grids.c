@@ -374,7 +374,7 @@ static bool run_once(const way *as, work *w, unsigned limit, double *seconds)
 {
     if (w->bits && !(as->needs & NEEDS_SURFACE))
         memset(w->bits, 0, w->words * sizeof *w->bits);
-    alarm(as->needs & IS_ROUNDED ? limit : 0);
+    alarm(as->needs & IS_ROUNDED && !(as->needs & IS_FAST) ? limit : 0);
     const double begin = as->needs & HAS_THREADS ? clock_seconds() : cpu_seconds();
     const bool is = as->run(w);
     *seconds = (as->needs & HAS_THREADS ? clock_seconds() : cpu_seconds()) - begin;
@@ -426,9 +426,10 @@ static bool find_apart(const way *as, const work *of, unsigned limit, found *f)
     close(ends[0]);
     if (child < 0 || waitpid(child, &status, 0) != child)
         return false;
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+    const bool is_over = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+    if (is_over)
         *f = (found){.fresh = (double)NAN, .warm = (double)NAN, .megabytes = (double)NAN};
-    return (is_read && !status) || isnan(f->fresh);
+    return is_over || (is_read && !status);
 }
 
 /* ---- the table ------------------------------------------------------------------------------------------------------------- */
@@ -530,7 +531,7 @@ static bool ask_grid(asked *q, const scene *at, ways of, bool has_truth, size_t 
     for (size_t k = 0; k < of.count; k++) {
         if (is_asked(q, &of.list[k], w.all))
             tell(&q->out, at->name, along, &w, &of.list[k], &least[k], &least[0]);
-        logarithm[n][k] += log(least[k].warm / least[0].warm);
+        logarithm[n][k] += least[0].warm > 0 && least[k].warm > 0 ? log(least[k].warm / least[0].warm) : (double)NAN;
     }
     return true;
 }
