@@ -140,7 +140,7 @@ typedef enum tribox_status {
     TRIBOX_BAD_BOX,      /* a bound of the box, or a number of the oriented box, is NaN or infinite */
     TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or so fine that two planes are one number */
     TRIBOX_BAD_OPTION,   /* an option is unknown, or not available in this call; or a reserved number is not zero */
-    TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it */
+    TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it, or -ffp-contract=fast has broken it */
     TRIBOX_BAD_VERTEX,   /* a mesh refers to a vertex (tribox_mesh_bad_vertices), or a list to a triangle, that does not exist */
     TRIBOX_STOPPED       /* a sink ended the call: the bricks that it was handed are right, the rest are missing */
 } tribox_status;

@@ -1,6 +1,7 @@
 /* dispatch.c - which kernel runs: the widest that this processor and operating system can, or the one that was named. */
 #include "dispatch.h"
 #include "base/bits.h"
+#include "base/environment.h"
 #include "base/relaxed.h"
 
 /* Of those in kernels.txt, these are in this build. */
@@ -45,16 +46,6 @@ size_t tribox_kernel_count(void) { return sizeof table / sizeof table[0]; }
 
 const tribox_kernel *tribox_kernel_at(size_t i) { return table[i].kernel; }
 
-bool tribox_kernel_runs_here(size_t i) { return table[i].runs_here(); }
-
-const char *tribox_kernel_list(size_t i)
-{
-    for (size_t k = 0; k < tribox_kernel_count(); k++)
-        if (tribox_kernel_runs_here(k) && !i--)
-            return table[k].kernel->name;
-    return NULL;
-}
-
 /* Not strcmp, whose calls would take longer than the rest of a small call. */
 static bool is_name(const char *name, const char *other)
 {
@@ -65,26 +56,55 @@ static bool is_name(const char *name, const char *other)
     return *name == *other;
 }
 
-/* Bit i: kernel i of the table runs here. The last one always does, so 0 says that nobody has asked yet. */
+enum { LAST = sizeof table / sizeof table[0] - 1 };
+
+/* One that fuses what it should not gives wrong answers; if the last one does, so do all files compiled for its processor. */
+static unsigned find_kernels(void)
+{
+    unsigned here = 0;
+    const tribox_environment callers = tribox_environment_enter();
+    for (size_t i = 0; i <= LAST && table[LAST].kernel->rounds_products(); i++)
+        here |= (unsigned)(table[i].runs_here() && table[i].kernel->rounds_products()) << i;
+    tribox_environment_leave(callers);
+    return here;
+}
+
+/* Bit i: kernel i of the table runs here, and gives right answers. */
 static unsigned kernels_here(void)
 {
     /* Two threads may both ask on first use: they learn the same. */
     static tribox_relaxed known;
+    enum { IS_KNOWN = 1 << (LAST + 1) };
     unsigned here = tribox_relaxed_read(&known);
     if (!here) {
-        for (size_t i = 0; i < tribox_kernel_count(); i++)
-            here |= (unsigned)tribox_kernel_runs_here(i) << i;
+        here = find_kernels() | IS_KNOWN;
         tribox_relaxed_write(&known, here);
     }
-    return here;
+    return here & ~(unsigned)IS_KNOWN;
+}
+
+bool tribox_kernel_runs_here(size_t i) { return kernels_here() >> i & 1; }
+
+const char *tribox_kernel_list(size_t i)
+{
+    for (size_t k = 0; k < tribox_kernel_count(); k++)
+        if (tribox_kernel_runs_here(k) && !i--)
+            return table[k].kernel->name;
+    return NULL;
+}
+
+const tribox_kernel *tribox_kernel_any(void)
+{
+    const unsigned here = kernels_here();
+    return table[here ? tribox_lowest_bit(here) : LAST].kernel;
 }
 
 const tribox_kernel *tribox_kernel_find(const char *name)
 {
     const unsigned here = kernels_here();
-    if (!name)
+    if (!name && here)
         return table[tribox_lowest_bit(here)].kernel;
-    for (size_t i = 0; i < tribox_kernel_count(); i++)
+    for (size_t i = 0; name && i <= LAST; i++)
         if (here >> i & 1 && is_name(name, table[i].kernel->name))
             return table[i].kernel;
     return NULL;

@@ -242,9 +242,16 @@ typedef struct tribox_settle_kernel {
     tribox_code *code;
 } tribox_settle_kernel;
 
+/*
+ * Whether a product is rounded before it meets a sum, as it is written: clang makes one operation of them by -ffp-contract=fast,
+ * which no macro tells of. Call in the environment of environment.h.
+ */
+typedef bool tribox_rounds_products(void);
+
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
+    tribox_rounds_products *rounds_products;
     tribox_walk *walk[TRIBOX_WALK_KINDS][TRIBOX_SEQUENCES];
     tribox_walk_few *walk_few[TRIBOX_WALK_KINDS]; /* NULL in a small build */
     tribox_survey *survey[TRIBOX_WALK_KINDS];

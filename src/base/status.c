@@ -20,7 +20,7 @@ const char *tribox_status_text(tribox_status status)
     case TRIBOX_BAD_OPTION:
         return "an option is unknown, not available in this call, or reserved and not zero";
     case TRIBOX_NO_KERNEL:
-        return "unknown kernel name, or a kernel that this processor cannot run";
+        return "unknown kernel name, or a kernel that this processor cannot run, or that -ffp-contract=fast broke";
     case TRIBOX_BAD_VERTEX:
         return "the mesh refers to a vertex, or a list to a triangle, that does not exist";
     case TRIBOX_STOPPED:

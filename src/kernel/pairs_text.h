@@ -3,6 +3,7 @@
 #include "base/floats.h"
 #include "kernel/pairs/tail.h"
 #include "axes.h"
+#include "rounding.h"
 #include "kernel/pairs/nine.h"
 #include "kernel/pairs/corners.h"
 #include "kernel/pairs/margin.h"

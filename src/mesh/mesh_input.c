@@ -136,7 +136,7 @@ static size_t count_bad(const tribox_mesh *mesh, size_t at, size_t count, size_t
 
 size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *first)
 {
-    const tribox_kernel *const kernel = tribox_kernel_find(NULL);
+    const tribox_kernel *const kernel = tribox_kernel_any();
     const size_t triangles = is_mesh_readable(mesh) ? mesh->count : 0, corners = 3 * triangles;
     size_t found = 0, lowest = corners;
     if (corners && !mesh->indices) {

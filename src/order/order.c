@@ -37,7 +37,7 @@ static tribox_status start_soup(const tribox_soup *soup, size_t first, size_t co
         return TRIBOX_OK;
     const tribox_sort_keys keys = tribox_sort_keys_in(scratch, soup->count, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->nodes->find_middles(soup, NULL, first, count, first, &keys);
+    tribox_kernel_any()->nodes->find_middles(soup, NULL, first, count, first, &keys);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
@@ -50,7 +50,7 @@ static tribox_status start_boxes(const tribox_boxes *boxes, size_t first, size_t
         return TRIBOX_OK;
     const tribox_sort_keys keys = tribox_sort_keys_in(scratch, boxes->count, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->nodes->find_middles(NULL, boxes, first, count, first, &keys);
+    tribox_kernel_any()->nodes->find_middles(NULL, boxes, first, count, first, &keys);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
@@ -178,7 +178,7 @@ static tribox_status start_mesh(const tribox_mesh *mesh, size_t first, size_t co
     tribox_mesh strided;
     if (!tribox_mesh_take(mesh, &strided) || !is_range(mesh->count, first, count, scratch))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_kernel *const kernel = tribox_kernel_find(NULL);
+    const tribox_kernel *const kernel = tribox_kernel_any();
     if (!tribox_mesh_is_in_range(&strided, kernel, first, count))
         return TRIBOX_BAD_VERTEX;
     const tribox_environment callers = tribox_environment_enter();
@@ -196,7 +196,7 @@ tribox_status tribox_sort_cut(void *scratch, size_t total, size_t first, size_t 
         return TRIBOX_OK;
     const tribox_sort_keys keys = tribox_sort_keys_in(scratch, total, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->nodes->cut(&keys, count, *before);
+    tribox_kernel_any()->nodes->cut(&keys, count, *before);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
@@ -230,7 +230,7 @@ static tribox_status finish_order(void *scratch, size_t total, size_t first, siz
     if (!count)
         return TRIBOX_OK;
     const tribox_environment callers = tribox_environment_enter();
-    tribox_sort_keys_finish(tribox_kernel_find(NULL), scratch, total, first, count, order);
+    tribox_sort_keys_finish(tribox_kernel_any(), scratch, total, first, count, order);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }

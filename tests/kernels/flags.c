@@ -5,6 +5,8 @@
 #include "base/rounded_box.h"
 #include "scalar/vec_scalar.h"
 
+#include "kernel/rounding.h"
+
 enum { DRAWS = 20000 };
 
 static uint64_t drawn = 1, digest;
@@ -29,6 +31,10 @@ static void print(const char *name)
 
 int main(void)
 {
+    if (!rounds_products()) {
+        puts("products are not rounded");
+        return 1;
+    }
     for (int i = 0; i < DRAWS; i++) {
         const double cell = fabs(draw()) + 1;
         const tribox_grid grid = {{draw() * cell, cell, draw()}, {cell, cell / 3, cell * 3}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};

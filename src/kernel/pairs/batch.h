@@ -248,6 +248,7 @@ extern const tribox_kernel TRIBOX_SYMBOL(kernel);
 const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .name = KERNEL_STRING(KERNEL),
     .lanes = V_LANES,
+    .rounds_products = rounds_products,
     .walk = {TRIBOX_FOR_EACH_SEQUENCE(ENTRIES)},
     .walk_few = {[TRIBOX_BY_MARGIN] = TRIBOX_WALKS_SOUPS_ALONE ? NULL : walk_few_BY_MARGIN,
                  [TRIBOX_BY_SIGN] = TRIBOX_WALKS_SOUPS_ALONE ? NULL : walk_few_BY_SIGN},
