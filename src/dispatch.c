@@ -3,12 +3,12 @@
 #include "base/bits.h"
 #include "base/environment.h"
 #include "base/relaxed.h"
+#include "base/targets.h"
 
-/* Of those in kernels.txt, these are in this build. */
 extern const tribox_kernel tribox_kernel_scalar, tribox_kernel_sse2, tribox_kernel_avx2, tribox_kernel_avx512, tribox_kernel_neon,
     tribox_kernel_wasm128;
 
-#if defined(TRIBOX_SSE2) || defined(TRIBOX_AVX2) || defined(TRIBOX_AVX512)
+#if TRIBOX_ON_X86
 #include "x86.h"
 #endif
 
@@ -22,19 +22,19 @@ static const struct {
     const tribox_kernel *kernel;
     bool (*runs_here)(void);
 } table[] = {
-#if defined(TRIBOX_AVX512)
+#if TRIBOX_AVX512
     {&tribox_kernel_avx512, tribox_x86_runs_avx512},
 #endif
-#if defined(TRIBOX_AVX2)
+#if TRIBOX_AVX2
     {&tribox_kernel_avx2, tribox_x86_runs_avx2},
 #endif
-#if defined(TRIBOX_SSE2)
+#if TRIBOX_SSE2
     {&tribox_kernel_sse2, tribox_x86_runs_sse2},
 #endif
-#if defined(TRIBOX_NEON)
+#if TRIBOX_NEON
     {&tribox_kernel_neon, runs_anywhere},
 #endif
-#if defined(TRIBOX_WASM128)
+#if TRIBOX_WASM128
     {&tribox_kernel_wasm128, runs_anywhere},
 #endif
 #if !defined(TRIBOX_SMALL)

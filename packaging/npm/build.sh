@@ -48,9 +48,8 @@ END
 
 # One object a source, as many at once as there are processors.
 xargs -P "$(nproc)" -L 1 sh -c '
-    cd "$1/src" && $3 -std=c11 -msimd128 $(sed -n s/^all://p kernels.txt) -fvisibility=hidden -ffunction-sections \
-        -Wall -Wextra -Werror -DTRIBOX_WASM128 -DTRIBOX_SMALL \
-        -I../include -I. "$5" -c "$6" -o "$2/$4"' sh "$root" "$work" "$cc" <"$work/sources"
+    cd "$1/src" && $3 -std=c11 -msimd128 -fvisibility=hidden -ffunction-sections -Wall -Wextra -Werror \
+        -DTRIBOX_SMALL -I../include -I. "$5" -c "$6" -o "$2/$4"' sh "$root" "$work" "$cc" <"$work/sources"
 
 # The stack lies first, where an overflow meets the end of the memory and not data.
 $cc -nostartfiles -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,--compress-relocations -Wl,-O2 -Wl,--stack-first \

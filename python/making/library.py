@@ -1,7 +1,6 @@
 """The library inside the package: its files, its flags, and one compiler call for each file. Needs neither meson nor CMake.
 
-CC names the compiler, gcc or clang, which may be a cross compiler; CFLAGS go after the flags that are here, and before those of all
-files in kernels.txt.
+CC names the compiler, gcc or clang, which may be a cross compiler; CFLAGS go after the flags that are here.
 """
 
 import os
@@ -12,32 +11,19 @@ from concurrent.futures import ThreadPoolExecutor
 from glob import glob
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
-PROCESSORS = {"x86_64": "x86", "aarch64": "aarch64", "arm64": "aarch64"}  # those of wheels, and what kernels.txt calls them
-with open(os.path.join(ROOT, "src", "kernels.txt"), encoding="ascii") as lines:
-    LINES = lines.read()
-KERNELS = re.findall(r"(?m)^(\w+) (\w+) (\w+):(.*)$", LINES)
-ALL = re.search(r"(?m)^all:(.*)$", LINES).group(1).split()
+PROCESSORS = ("x86_64", "aarch64", "arm64")  # those of wheels
 COMMON = ["-std=c11", "-O3", "-fvisibility=hidden", "-Iinclude", "-Isrc"]
+KERNEL = re.compile(r"/(pairs|settle|cells|rows|nodes)_\w+\.c$")
 MANYLINUX = "manylinux_2_17_"  # as old a C library as any that NumPy is made for; tests/python/test_wheel.py proves it
 
 with open(os.path.join(ROOT, "include", "tribox.h"), encoding="ascii") as header:
     VERSION = ".".join(re.findall(r"(?m)^#define TRIBOX_VERSION_[A-Z]* *(\d+)$", header.read()))
 
 
-def rooms(root):
-    """The folders of src but those of kernels and of their text, of which "" is src itself."""
-    source = os.path.join(root, "src")
-    folders = [os.path.relpath(folder, source) for folder, _, _ in os.walk(source)]
-    own = {"kernel", *(folder for _, folder, _, _ in KERNELS)}
-    return sorted("" if folder == "." else folder for folder in folders if folder.split(os.sep)[0] not in own)
-
-
 def files(root):
     """The files that the package is made of, relative to the root of the repository."""
-    kernels = [folder for _, folder, processor, _ in KERNELS if processor in ("any", *PROCESSORS.values())]
-    folders = [*rooms(root), "kernel", "kernel/*", *kernels]
-    patterns = ["pyproject.toml", "LICENSE", "include/*.h", *(os.path.join("src", folder, "*.[ch]") for folder in folders),
-                "src/kernels.txt", "python/README.md", "python/declarations.py", "python/*/*.py", "python/tribox/py.typed"]
+    patterns = ["pyproject.toml", "LICENSE", "include/*.h", *("src/" + "*/" * depth + "*.[ch]" for depth in range(3)),
+                "python/README.md", "python/declarations.py", "python/*/*.py", "python/tribox/py.typed"]
     found = [os.path.relpath(file, root) for pattern in patterns for file in glob(os.path.join(root, pattern))]
     return sorted(file.replace(os.sep, "/") for file in found)
 
@@ -66,16 +52,10 @@ class Compiler:
         return MANYLINUX + self.processor if self.processor in PROCESSORS and "linux-gnu" in self.target else None
 
     def flags(self):
-        """{source: its flags}, relative to the root."""
-        kernels = [kernel for kernel in KERNELS if kernel[2] in ("any", PROCESSORS.get(self.processor))]
-        core = ["-DTRIBOX_" + name.upper() for name, _, _, _ in kernels if name != "scalar"]
+        """Those of all sources."""
         position = ["-DTRIBOX_SHARED_BUILD"] if self.is_windows else ["-fPIC"]
-        is_clang = "clang" in self.output("--version")
-        of_kernels = ["-mstackrealign"] if is_clang else ["-Wa,-muse-unaligned-vector-move"] if self.is_windows else []
-        flags = {room: core for room in rooms(ROOT)}
-        flags.update({folder: of_kernels + own.split() for _, folder, _, own in kernels})
-        return {os.path.relpath(source, ROOT): [*COMMON, *position, *own, *self.extra, *ALL]
-                for folder, own in flags.items() for source in glob(os.path.join(ROOT, "src", folder, "*.c"))}
+        aligned = ["-mstackrealign"] if "clang" in self.output("--version") and self.processor == "x86_64" else []
+        return [*COMMON, *position, *aligned, *self.extra]
 
     def run(self, *arguments):
         subprocess.run([*self.command, *arguments], check=True, cwd=ROOT)
@@ -83,15 +63,15 @@ class Compiler:
     def build(self, folder, scratch):
         """Writes the library into a folder; scratch: an empty one, for objects. Returns its path."""
         os.makedirs(folder, exist_ok=True)
+        flags = self.flags()
 
-        def compile_one(pair):
-            source, flags = pair
-            target = os.path.join(scratch, source.replace(os.sep, "-") + ".o")
+        def compile_one(source):
+            target = os.path.join(scratch, source.replace("/", "-") + ".o")
             self.run(*flags, "-c", source, "-o", target)
             return target
 
         # The kernels first: they take the longest.
-        sources = sorted(self.flags().items(), key=lambda pair: -pair[0].count(os.sep))
+        sources = sorted((file for file in files(ROOT) if file.endswith(".c")), key=lambda file: not KERNEL.search(file))
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             objects = list(pool.map(compile_one, sources))
         path = os.path.join(os.path.abspath(folder), self.library)

@@ -1,7 +1,6 @@
 /* vec_avx2.h - eight lanes of AVX2 with FMA. kernel/README.md defines the words. */
-#if !defined(__AVX2__) || !(defined(__FMA__) || defined(_MSC_VER))
-#error "compile this file with AVX2 and FMA"
-#endif
+#include "target_avx2.h"
+#if TRIBOX_AVX2
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -151,3 +150,5 @@ TRIBOX_INLINE __m256i avx2_lanes(vmask m)
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { v_write(p, _mm256_permutevar8x32_ps(a, avx2_lanes(m))); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { i_write(p, _mm256_permutevar8x32_epi32(a, avx2_lanes(m))); }
+
+#endif

@@ -1,7 +1,6 @@
 /* vec_avx2_double.h - four lanes of double. */
-#if !defined(__AVX2__) || !(defined(__FMA__) || defined(_MSC_VER))
-#error "compile this file with AVX2 and FMA"
-#endif
+#include "target_avx2.h"
+#if TRIBOX_AVX2
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -46,3 +45,5 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm256_or_pd(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm256_and_pd(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm256_andnot_pd(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm256_movemask_pd(a); }
+
+#endif

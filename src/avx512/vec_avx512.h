@@ -1,7 +1,6 @@
 /* vec_avx512.h - sixteen lanes of AVX-512F; the masks live in mask registers. kernel/README.md defines the words. */
-#if !defined(__AVX512F__)
-#error "compile this file with AVX-512F"
-#endif
+#include "target_avx512.h"
+#if TRIBOX_AVX512
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -156,3 +155,5 @@ TRIBOX_INLINE unsigned m_count(vmask a) { return tribox_count_bits(m_bits(a)); }
 /* Not compressed to memory, which Zen 4 does in microcode. */
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { v_write(p, _mm512_maskz_compress_ps(m, a)); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { i_write(p, _mm512_maskz_compress_epi32(m, a)); }
+
+#endif

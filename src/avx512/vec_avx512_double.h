@@ -1,7 +1,6 @@
 /* vec_avx512_double.h - eight lanes of double. */
-#if !defined(__AVX512F__)
-#error "compile this file with AVX-512F"
-#endif
+#include "target_avx512.h"
+#if TRIBOX_AVX512
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -53,3 +52,5 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+
+#endif

@@ -14,7 +14,7 @@ static inline size_t tribox_words_of(size_t count) { return count / 64 + (count 
 /* Without an instruction in parallel within the word: pairs of bits, nibbles, bytes, and a product that adds up the bytes. */
 static inline unsigned tribox_count_bits(uint64_t word)
 {
-#if defined(__POPCNT__)
+#if defined(__POPCNT__) || (defined(TRIBOX_POPCNT) && (defined(__GNUC__) || defined(__clang__)))
     return (unsigned)__builtin_popcountll(word);
 #else
     word -= word >> 1 & UINT64_C(0x5555555555555555);

@@ -5,25 +5,40 @@
 #include <float.h>
 #include <stdint.h>
 
-/* The flags of all files in kernels.txt undo what is refused here, as the last ones. */
+/*
+ * Arithmetic as it is written, whatever the flags say: FMA only where a vocabulary says so (README, "Why the answers may be
+ * trusted"). gcc 12 forgets to round in (double)(float)x where it makes vectors of two doubles of a short loop, from -O2 on. By LTO
+ * gcc inlines no function into one of other arithmetic. clang minds no pragma under -ffp-contract=fast, and has no macro that tells
+ * of it: dispatch.c finds out.
+ */
+#if defined(__clang__)
+#if defined(__x86_64__) || defined(__i386__) /* others warn that they have no such pragma */
+#pragma float_control(precise, on)
+#endif
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("no-fast-math", "fp-contract=off", "no-tree-slp-vectorize")
+#if defined(__s390__) /* which has float in float, but not by -std=c11 */
+#pragma GCC optimize("excess-precision=fast")
+#define TRIBOX_FLOAT_IN_FLOAT 1
+#elif defined(__i386__) && !defined(__SSE2_MATH__)
+#define TRIBOX_SSE2_BY_PRAGMA 1 /* not more: gcc 12 compiles immintrin.h only after the flag -msse2 */
+#pragma GCC target("sse2,fpmath=sse")
+#define TRIBOX_FLOAT_IN_FLOAT 1
+#endif
+#elif defined(_MSC_VER)
+#pragma float_control(precise, on)
+#pragma fp_contract(off)
+#endif
+
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(__ASSOCIATIVE_MATH__) || \
     defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "tribox cannot be compiled with -ffast-math or parts of it: its answers rest on IEEE arithmetic; add -fno-fast-math"
 #endif
 _Static_assert(sizeof 1.0 == sizeof(double), "tribox cannot be compiled with -fsingle-precision-constant");
 /* 16 is gcc's method for gnu11 on processors with FP16: only types narrower than float are widened. */
-#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16 && !defined(TRIBOX_FLOAT_IN_FLOAT)
 #error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0 or 16); on 32-bit x86 compile with -msse2 -mfpmath=sse"
-#endif
-
-/* What the flags say, to compilers that are given others, or that tell of no part of fast math but the finite one. */
-#if defined(__clang__)
-#if defined(__x86_64__) || defined(__i386__) /* others warn that they have no such pragma */
-#pragma float_control(precise, on)
-#endif
-#pragma STDC FP_CONTRACT OFF
-#elif defined(_MSC_VER)
-#pragma fp_contract(off)
 #endif
 
 /* Not forced in unoptimised and sanitized builds: with every word inlined and little folded, gcc takes minutes for a kernel. */

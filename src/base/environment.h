@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+#include "compiler.h"
+
 #if defined(__SSE2__) || defined(_M_X64)
 #include <xmmintrin.h>
 

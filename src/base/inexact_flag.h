@@ -11,10 +11,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "compiler.h"
+
 #if (defined(__GNUC__) || defined(__clang__)) && defined(__SSE2__) && !defined(TRIBOX_NO_INEXACT_FLAG)
 
 /* Between AVX instructions the old encoding makes the processor save and restore the upper halves of its registers. */
-#if defined(__AVX__)
+#if defined(__AVX__) || defined(TRIBOX_VECTOR_BYTES)
 #define TRIBOX_VEX "v"
 #else
 #define TRIBOX_VEX ""

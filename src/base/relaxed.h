@@ -2,6 +2,8 @@
 #ifndef TRIBOX_RELAXED_H
 #define TRIBOX_RELAXED_H
 
+#include "compiler.h"
+
 #if defined(__STDC_NO_ATOMICS__)
 
 /* Such compilers read and write a volatile number of a register's width at once. */

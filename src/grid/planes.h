@@ -9,7 +9,10 @@
 
 #include "base/compiler.h"
 
-#if defined(__clang__) && defined(__FMA__)
+#if defined(__FMA__) && !defined(TRIBOX_FMA)
+#define TRIBOX_FMA 1
+#endif
+#if defined(__clang__) && defined(TRIBOX_FMA)
 #include <immintrin.h>
 #endif
 
@@ -18,10 +21,10 @@ typedef struct tribox_planes {
     double first[3];           /* the number of the window's first plane among those of the grid */
 } tribox_planes;
 
-#if (defined(__GNUC__) || defined(__clang__)) && (defined(__FMA__) || defined(__aarch64__))
+#if (defined(__GNUC__) || defined(__clang__)) && (defined(TRIBOX_FMA) || defined(__aarch64__))
 
 enum { TRIBOX_HAS_FUSED_PLANES = 1 };
-#if defined(__clang__) && defined(__FMA__) /* where clang takes fast math back, it calls fma() on some systems (compiler.h) */
+#if defined(__clang__) && defined(TRIBOX_FMA) /* where clang takes fast math back, it calls fma() on some systems (compiler.h) */
 static inline double tribox_plane_rounded(double origin, double cell, double p)
 {
     return _mm_cvtsd_f64(_mm_fmadd_sd(_mm_set_sd(p), _mm_set_sd(cell), _mm_set_sd(origin)));

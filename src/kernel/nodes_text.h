@@ -2,6 +2,7 @@
  * nodes_text.h - the texts of a kernel about indices and their order, and its table. After: a vocabulary of float, and KERNEL,
  * its name.
  */
+#if defined(TRIBOX_VEC_H) /* or the compiler is for another processor */
 #include "base/bits.h"
 #include "index/kernel_nodes.h"
 #include "axes.h"
@@ -23,3 +24,10 @@ const tribox_nodes_kernel TRIBOX_SYMBOL(nodes) = {
     .cut = cut,
     .touch_oriented = touch_oriented,
 };
+
+#else
+typedef int tribox_no_kernel_for_this_processor;
+#endif
+#if TRIBOX_POP_TARGET
+#pragma clang attribute pop
+#endif

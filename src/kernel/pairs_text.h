@@ -1,4 +1,5 @@
 /* pairs_text.h - the texts of a kernel in float, in order. After: a vocabulary of float, and KERNEL, the kernel's name. */
+#if defined(TRIBOX_VEC_H) /* or the compiler is for another processor */
 #include "base/bits.h"
 #include "base/floats.h"
 #include "kernel/pairs/tail.h"
@@ -23,3 +24,10 @@
 #include "kernel/pairs/survey.h"
 #include "kernel/pairs/split.h"
 #include "kernel/pairs/batch.h"
+
+#else
+typedef int tribox_no_kernel_for_this_processor;
+#endif
+#if TRIBOX_POP_TARGET
+#pragma clang attribute pop
+#endif

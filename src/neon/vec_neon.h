@@ -1,7 +1,6 @@
 /* vec_neon.h - four lanes of NEON, the baseline of AArch64. kernel/README.md defines the words. */
-#if !defined(__aarch64__) || !defined(__ARM_NEON) || defined(__AARCH64EB__)
-#error "compile this file for little-endian AArch64 with NEON"
-#endif
+#include "base/targets.h"
+#if TRIBOX_NEON
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -144,3 +143,5 @@ TRIBOX_INLINE void neon_pack(void *p, vmask m, uint32x4_t a)
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { neon_pack(p, m, neon_bits(a)); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { neon_pack(p, m, vreinterpretq_u32_s32(a)); }
+
+#endif

@@ -1,7 +1,6 @@
 /* vec_neon_double.h - two lanes of double. */
-#if !defined(__aarch64__) || !defined(__ARM_NEON) || defined(__AARCH64EB__)
-#error "compile this file for little-endian AArch64 with NEON"
-#endif
+#include "base/targets.h"
+#if TRIBOX_NEON
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -53,3 +52,5 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return vorrq_u64(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return vandq_u64(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return vbicq_u64(a, b); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return vaddvq_u64(vandq_u64(a, (vmask){1, 2})); }
+
+#endif

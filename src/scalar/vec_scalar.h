@@ -1,4 +1,8 @@
 /* vec_scalar.h - one lane. This is the definition of every word; kernel/README.md has the rest. */
+#include "base/targets.h"
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-tree-vectorize")
+#endif
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif

@@ -1,7 +1,6 @@
 /* vec_sse2.h - four lanes of SSE2, the baseline of x86-64. kernel/README.md defines the words. */
-#if !defined(__SSE2__) && !defined(_M_X64)
-#error "compile this file with SSE2"
-#endif
+#include "base/targets.h"
+#if TRIBOX_SSE2
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -187,3 +186,5 @@ TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128i a)
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { sse2_pack(p, m, _mm_castps_si128(a)); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { sse2_pack(p, m, a); }
+
+#endif

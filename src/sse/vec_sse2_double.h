@@ -1,7 +1,6 @@
 /* vec_sse2_double.h - two lanes of double. */
-#if !defined(__SSE2__) && !defined(_M_X64)
-#error "compile this file with SSE2"
-#endif
+#include "base/targets.h"
+#if TRIBOX_SSE2
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -46,3 +45,5 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_pd(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_pd(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_pd(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask_pd(a); }
+
+#endif

@@ -34,10 +34,8 @@ static inline uint32_t *tribox_ids_of_word(const tribox_cell_ids *ids, uint32_t 
  */
 #if !defined(__GNUC__) && !defined(__clang__)
 #define TRIBOX_IDS_AT_ONCE 0
-#elif defined(__AVX512F__)
-#define TRIBOX_IDS_AT_ONCE 16
-#elif defined(__AVX2__)
-#define TRIBOX_IDS_AT_ONCE 8
+#elif defined(TRIBOX_VECTOR_BYTES)
+#define TRIBOX_IDS_AT_ONCE (TRIBOX_VECTOR_BYTES / 4)
 #else
 #define TRIBOX_IDS_AT_ONCE 0
 #endif

@@ -1,7 +1,6 @@
 /* vec_wasm128.h - four lanes of WebAssembly's 128-bit SIMD. kernel/README.md defines the words. */
-#if !defined(__wasm_simd128__)
-#error "compile this file for WebAssembly with -msimd128"
-#endif
+#include "base/targets.h"
+#if TRIBOX_WASM128
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -152,3 +151,5 @@ TRIBOX_INLINE void wasm_pack(int32_t *p, vmask m, v128_t a)
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { wasm_pack((int32_t *)p, m, a); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { wasm_pack(p, m, a); }
+
+#endif

@@ -1,7 +1,6 @@
 /* vec_wasm128_double.h - two lanes of double. */
-#if !defined(__wasm_simd128__)
-#error "compile this file for WebAssembly with -msimd128"
-#endif
+#include "base/targets.h"
+#if TRIBOX_WASM128
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
@@ -47,3 +46,5 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return wasm_v128_or(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return wasm_v128_and(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return wasm_v128_andnot(a, b); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return wasm_i64x2_bitmask(a); }
+
+#endif

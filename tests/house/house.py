@@ -38,7 +38,7 @@ def room_of(name):
 
 
 FILES = tracked()
-KERNELS = dict(re.findall(r"(?m)^(\w+) (\w+) \w+:", read("src/kernels.txt")))  # {kernel: its folder}
+KERNELS = dict(re.findall(r"(?m)^(\w+) (\w+)$", read("src/kernels.txt")))  # {kernel: its folder}
 VOCABULARIES = set(KERNELS.values())
 SOURCES = [name[4:] for name in FILES if re.fullmatch(r"src/.*\.[ch]", name)]
 

@@ -1,4 +1,4 @@
-/* words_lanes.c - every word of one vocabulary, compiled with the flags of its kernel. */
+/* words_lanes.c - every word of one vocabulary, compiled as its kernel is. */
 #include VOCABULARY
 
 #include <string.h>
@@ -139,3 +139,7 @@ uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, 
 {
     return m_bits(mask_of(word, lanes_of(a), lanes_of(b), lanes_of(c)));
 }
+
+#if TRIBOX_POP_TARGET
+#pragma clang attribute pop
+#endif

@@ -355,7 +355,7 @@ def judge_all(folder, mutants, jobs):
     count = min(jobs, len(mutants))
     kernels, own = NARROW.get(platform.machine(), ("", ""))
     with open(os.path.join(ROOT, "src", "kernels.txt"), encoding="utf-8") as file:
-        folders = set(re.findall(r"(?m)^\w+ (\w+) \w+:", file.read())) - {"scalar", own}
+        folders = set(re.findall(r"(?m)^\w+ (\w+)$", file.read())) - {"scalar", own}
     left = [mutant for mutant in mutants if own and mutant.path.split("/")[1] in folders]
     verdicts, start = collections.Counter(), time.monotonic()
     print(f"building {'a copy' if count == 1 else f'{count} copies'} of the tree in {folder}", flush=True)

@@ -22,7 +22,7 @@ library() {
         --no-show-locs --no-elf-needed --no-parameter-names --no-write-default-sizes "$work/libtribox.so" >"$work/libtribox1.abi"
 }
 
-vocabularies=$(sed -n 's/^[a-z0-9]* \([a-z0-9]*\) .*:.*/\1/p' "$root/src/kernels.txt" | paste -sd'|')
+vocabularies=$(sed -n 's/^[a-z0-9]* \([a-z0-9]*\)$/\1/p' "$root/src/kernels.txt" | paste -sd'|')
 # shellcheck disable=SC2046
 library "$root" $(find "$root/src" -name '*.c' | grep -vE "/src/($vocabularies)/")
 if test "${2-}" = record; then

@@ -5,7 +5,7 @@
 root=$1 folder=$2
 test "$(uname -m)" = x86_64 || skip 'the kernels that are named here are those of x86-64'
 export CC="${CC##* }"
-here_are=$(sed -n 's/^\([a-z0-9]*\) [a-z0-9]* \(any\|x86\):.*/\1/p' "$root/src/kernels.txt" | paste -sd, | sed 's/,/, /g')
+here_are='scalar, sse2, avx2, avx512'
 
 # refuses NAMES COMMAND...: and says which there are
 refuses() {

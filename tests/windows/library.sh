@@ -18,7 +18,7 @@ if sed -n 's/.*DLL Name: //p' dll.txt | grep -vixE 'kernel32.dll|msvcrt.dll|ucrt
 fi
 
 # Windows keeps the stack at multiples of 16: no vector of 32 or 64 bytes may be moved there as if it were aligned (gcc bug 54412).
-x86_64-w64-mingw32-objdump -d src/libkernel_avx2.a src/libkernel_avx512.a >kernels.txt
+find src -name '*_avx*.c.obj' -exec x86_64-w64-mingw32-objdump -d {} + >kernels.txt
 if ! grep -q 'vmovup.*[yz]mm.*%r[sb]p' kernels.txt || grep -m 9 -E 'vmov(ap|dqa).*[yz]mm.*%r[sb]p' kernels.txt; then
     echo "there are vectors moved on the stack as if it were aligned, or none at all" >&2
     exit 1
