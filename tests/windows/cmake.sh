@@ -9,7 +9,7 @@ toolchain='-DCMAKE_SYSTEM_NAME=Windows -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc
 cc='x86_64-w64-mingw32-gcc-posix -D__USE_MINGW_ANSI_STDIO=1 -static'
 
 # shellcheck disable=SC2086
-python3 "$package/same_flags.py" "$folder" "$root" $toolchain -DBUILD_SHARED_LIBS=ON
+python3 "$package/no_flags.py" files "$folder" "$root" $toolchain -DBUILD_SHARED_LIBS=ON
 
 # runs NAME DLL: the consumer in the folder of that name finds the kernels that it finds with meson's library
 runs() {
