@@ -42,10 +42,11 @@ KERNELS = dict(re.findall(r"(?m)^(\w+) (\w+)$", read("src/kernels.txt")))  # {ke
 VOCABULARIES = set(KERNELS.values())
 SOURCES = [name[4:] for name in FILES if re.fullmatch(r"src/.*\.[ch]", name)]
 
-# No two headers share a base name, and no folder of src is a heap.
-for base, count in collections.Counter(os.path.basename(name) for name in FILES if name.endswith(".h")).items():
+# No two headers share a base name, nor two sources of the library, whose objects a compiler puts into one folder; and no folder of
+# src is a heap.
+for base, count in collections.Counter(os.path.basename(name) for name in FILES if re.search(r"\.h$|^src/.*\.c$", name)).items():
     if count > 1 and base not in SYSTEM:
-        fail(f"{base}: {count} headers have this name; rename one")
+        fail(f"{base}: {count} files have this name; rename one")
 for folder, count in collections.Counter(os.path.dirname(name) for name in SOURCES).items():
     if count > MOST:
         fail(f"src/{folder}: {count} sources, more than {MOST}; make a folder of those that change together")

@@ -1,4 +1,4 @@
-/* oriented.c - one triangle and one oriented box in integers that are wide enough for their numbers, or by exact sums. */
+/* oriented_exact.c - one triangle and one oriented box in integers that are wide enough for their numbers, or by exact sums. */
 #include "oriented.h"
 
 #include <string.h>
