@@ -37,7 +37,7 @@ cd "$work"
 for file in $(printf '%s\n' "$commands" | grep -oE '[A-Za-z0-9_/]+\.c\>'); do
     test -f "$file" || printf '%s\n' "$example" >"$file"
 done
-cc() { command $CC "$@" -O0; } # in a third of the time
+cc() { command $CC -Werror "$@" -O0; } # in a third of the time
 eval "$commands"
 ./example
 
