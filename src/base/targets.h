@@ -45,11 +45,12 @@
  * assembler moves all vectors as unaligned ones, which is as fast where they are aligned.
  */
 #if defined(__MINGW32__) && !defined(__clang__)
-__asm__(".macro vmovaps moved:vararg\n\tvmovups \\moved\n.endm\n"
+__asm__(".ifndef tribox_moves\n\t.set tribox_moves, 1\n" /* once, also in what LTO makes of several files */
+        ".macro vmovaps moved:vararg\n\tvmovups \\moved\n.endm\n"
         ".macro vmovapd moved:vararg\n\tvmovupd \\moved\n.endm\n"
         ".macro vmovdqa moved:vararg\n\tvmovdqu \\moved\n.endm\n"
         ".macro vmovdqa32 moved:vararg\n\tvmovdqu32 \\moved\n.endm\n"
-        ".macro vmovdqa64 moved:vararg\n\tvmovdqu64 \\moved\n.endm\n");
+        ".macro vmovdqa64 moved:vararg\n\tvmovdqu64 \\moved\n.endm\n.endif\n");
 #endif
 
 #endif
