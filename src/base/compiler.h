@@ -22,7 +22,7 @@
 #pragma GCC optimize("excess-precision=fast")
 #define TRIBOX_FLOAT_IN_FLOAT 1
 #elif defined(__i386__) && !defined(__SSE2_MATH__)
-#define TRIBOX_SSE2_BY_PRAGMA 1 /* not more: gcc 12 compiles immintrin.h only after the flag -msse2 */
+#define TRIBOX_SSE2_BY_PRAGMA 1 /* not more: gcc 12 compiles immintrin.h only by the flag -msse2 */
 #pragma GCC target("sse2,fpmath=sse")
 #define TRIBOX_FLOAT_IN_FLOAT 1
 #endif
