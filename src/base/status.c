@@ -1,4 +1,5 @@
 /* status.c - the version, and what a status means, in words. */
+#include "compiler.h"
 #include "tribox.h"
 
 #define AS_TEXT(number) #number

@@ -1,4 +1,5 @@
 /* tiles.c - how many tiles a grid has, and whether it has a share of them. */
+#include "base/compiler.h"
 #include "tiles.h"
 
 /* The tiles along an axis, 0 of one that has none. */
