@@ -105,7 +105,7 @@ typedef struct tribox_seen {
     bool has_ties, are_ties_exact; /* some were asked about; and nothing of the word is rounded */
 } tribox_seen;
 
-/* Answers a word whose pairs are all present, all axes asked, like a walk, and surveys it. Returns the hits. */
+/* Answers a word of a soup whose pairs are all present, all axes asked, like a walk, and surveys it. Returns the hits. */
 typedef uint64_t tribox_survey(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided);
 
 /*

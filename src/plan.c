@@ -6,31 +6,26 @@
 enum { DEFAULT_ORDER = 132 };
 
 /*
- * The sequence of an order and a union of axes: the order without the groups that it leaves out; no order changes an answer. Group
- * 1, 2, 3 is bit 0, 1, 2 of the axes. A table, as a call about a few triangles would take longer to find it than to answer.
+ * The sequence of a union of axes, or of an order of all of them; no order changes an answer. Group 1, 2, 3 is bit 0, 1, 2 of the
+ * axes. A table, as a call about a few triangles would take longer to find it than to answer.
  */
-#define SEQUENCES(order, box_and_plane, box_and_edges, plane_and_edges) \
-    { \
-        order, \
-        { \
-            TRIBOX_SEQUENCES, TRIBOX_SEQUENCE_1, TRIBOX_SEQUENCE_2, TRIBOX_SEQUENCE_##box_and_plane, TRIBOX_SEQUENCE_3, \
-                TRIBOX_SEQUENCE_##box_and_edges, TRIBOX_SEQUENCE_##plane_and_edges, TRIBOX_SEQUENCE_##order \
-        } \
-    }
+static const unsigned char some[TRIBOX_AXES_ALL] = {
+    TRIBOX_SEQUENCES,  TRIBOX_SEQUENCE_1,  TRIBOX_SEQUENCE_2,  TRIBOX_SEQUENCE_12,
+    TRIBOX_SEQUENCE_3, TRIBOX_SEQUENCE_13, TRIBOX_SEQUENCE_32,
+};
 static const struct {
-    unsigned order;
-    unsigned char sequence[TRIBOX_AXES_ALL + 1];
-} table[] = {
-    SEQUENCES(132, 12, 13, 32), SEQUENCES(123, 12, 13, 23), SEQUENCES(213, 21, 13, 23),
-    SEQUENCES(231, 21, 31, 23), SEQUENCES(312, 12, 31, 32), SEQUENCES(321, 21, 31, 32),
+    unsigned order, sequence;
+} all[] = {
+    {132, TRIBOX_SEQUENCE_132}, {123, TRIBOX_SEQUENCE_123}, {213, TRIBOX_SEQUENCE_213},
+    {231, TRIBOX_SEQUENCE_213}, {312, TRIBOX_SEQUENCE_312}, {321, TRIBOX_SEQUENCE_312},
 };
 
 /* TRIBOX_SEQUENCES if there is no such order, or no such axes. */
 static unsigned sequence_of(unsigned order, unsigned axes)
 {
-    for (size_t k = 0; axes <= TRIBOX_AXES_ALL && k < sizeof table / sizeof table[0]; k++)
-        if (order == table[k].order)
-            return table[k].sequence[axes];
+    for (size_t k = 0; axes <= TRIBOX_AXES_ALL && k < sizeof all / sizeof all[0]; k++)
+        if (order == all[k].order)
+            return axes == TRIBOX_AXES_ALL ? all[k].sequence : some[axes];
     return TRIBOX_SEQUENCES;
 }
 

@@ -9,7 +9,7 @@
 
 #include "kernel.h"
 
-enum { TRIBOX_CHOICE_ORDERS = 6, TRIBOX_CHOICE_LEAST = 4 };
+enum { TRIBOX_CHOICE_ORDERS = 4, TRIBOX_CHOICE_LEAST = 4 };
 
 typedef struct tribox_choice {
     unsigned sequence;                   /* taken at present: an index TRIBOX_SEQUENCE_* (kernel.h) */

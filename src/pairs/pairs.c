@@ -108,7 +108,7 @@ void tribox_pairs_walk_block(const tribox_query *p, tribox_plan *plan, size_t wo
 {
     for (size_t done = 0, next; done < words; done += next) {
         const size_t at = word + done, left = p->count - 64 * at;
-        next = tribox_choice_next(&plan->choice, left / 64, words - done);
+        next = p->soup ? tribox_choice_next(&plan->choice, left / 64, words - done) : words - done; /* one order for all others */
         if (next) {
             const size_t count = left < 64 * next ? left : 64 * next;
             tribox_query asked = *p;

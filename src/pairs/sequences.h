@@ -8,9 +8,10 @@
 
 /*
  * A sequence is the groups of axes in the order in which they are tested, one decimal digit each, by the number of the paper's
- * bullet: 1 the box normals, 2 the plane, 3 the edges. 312 tests the edges first; 13 leaves the plane out.
+ * bullet: 1 the box normals, 2 the plane, 3 the edges. 213 and 312 test one group alone, and then of the packets that it leaves
+ * everything, as 132 does. So each has an instance of what is tested; a set of groups has one, but for all of them (plan.c).
  */
-#define TRIBOX_FOR_EACH_SEQUENCE(X) X(1) X(2) X(3) X(12) X(13) X(21) X(23) X(31) X(32) X(123) X(132) X(213) X(231) X(312) X(321)
+#define TRIBOX_FOR_EACH_SEQUENCE(X) X(1) X(2) X(3) X(12) X(13) X(32) X(123) X(132) X(213) X(312)
 
 enum {
 #define TRIBOX_SEQUENCE_INDEX(sequence) TRIBOX_SEQUENCE_##sequence,
@@ -30,5 +31,11 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 {
     return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
 }
+
+/* The group that is tested alone before all others; 0 for none. */
+TRIBOX_INLINE unsigned group_alone(unsigned sequence) { return sequence > 200 ? sequence / 100 : 0; }
+
+/* Whether edges and plane are tested together. */
+TRIBOX_INLINE bool is_joint(unsigned sequence) { return sequence == 32 || sequence == 132; }
 
 #endif

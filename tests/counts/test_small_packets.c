@@ -147,7 +147,7 @@ int main(int argc, char **argv)
         for (int form = 0; form < 3; form++) {
             const unsigned sequence =
                 SMALL_IS_NEAR ? near_sequences[small_draw(&r, 2)] : sequences[small_draw(&r, TRIBOX_SEQUENCES)];
-            const bool is_soup = MORE_BITS || small_draw(&r, 2);
+            const bool is_soup = MORE_BITS || group_alone(sequence) || small_draw(&r, 2);
             if (!(is.by[1] && sequence_has(sequence, 1)) || small_draw(&r, 16) == 0) /* else nothing is rounded */
                 try_pair(&input, &p, &is, sequence, is_soup, &tally);
         }

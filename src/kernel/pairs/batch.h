@@ -117,6 +117,13 @@ TRIBOX_NOINLINE size_t walk_exactly(const tribox_query *from, size_t word, size_
 /* Whether a walk may ask the flag: soups alone, and of all axes. */
 TRIBOX_INLINE bool may_ask_flag(walk_kind kind) { return (kind & (WALKS_SOUP | WALKS_MESH)) == WALKS_SOUP && groups_of(kind) > 99; }
 
+/* The second look at a soup, for all axes: in one order, too. */
+TRIBOX_NOINLINE void look_again(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit,
+                                uint64_t *undecided)
+{
+    walk_words(from, word, done, count, hit, undecided, 132 | WALKS_SOUP | LOOKS_AGAIN);
+}
+
 /*
  * Two loops, so that scenes without ties keep fewer numbers. It changes no answer: a slower stage would decide the same
  * (PROOFS.md 5.3). Where ties are common numbers are often short, and nothing of them is rounded: then signs decide.
@@ -131,7 +138,9 @@ TRIBOX_INLINE void walk_all_BY_MARGIN(const tribox_query *from, size_t word, siz
         return;
     if (may_ask_flag(kind) && from->ties != TRIBOX_TIES_LEFT)
         done = walk_exactly(from, word, done, count, hit, undecided);
-    if (may_look_again(kind))
+    if (may_ask_flag(kind))
+        look_again(from, word, done, count, hit, undecided);
+    else if (may_look_again(kind))
         walk_words(from, word, done, count, hit, undecided, kind | LOOKS_AGAIN);
 }
 
@@ -150,37 +159,45 @@ TRIBOX_INLINE uint64_t survey_soup(const tribox_query *from, size_t word, walk_k
 }
 
 /*
- * The forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. Meshes have theirs only
- * where all axes are asked, to keep the code small.
+ * The forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. Orders are for soups: to
+ * read corners, or boxes, takes so long that they would gain little there. Meshes are walked only where all axes are asked.
  */
+#define WALK_OF(by) \
+    TRIBOX_NOINLINE void walk_##by##_all(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided) \
+    { \
+        if (pairs->corners) \
+            walk_all_##by(pairs, word, count, hit, undecided, 132 | WALKS_SOUP | WALKS_MESH); \
+        else \
+            walk_all_##by(pairs, word, count, hit, undecided, 132); \
+    }
 #define WALK(by, groups) \
     static void walk_##by##_##groups(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided) \
     { \
         if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
             walk_all_##by(pairs, word, count, hit, undecided, groups | WALKS_SOUP); \
-        else if (groups > 99 && pairs->corners) \
-            walk_all_##by(pairs, word, count, hit, undecided, groups | WALKS_SOUP | WALKS_MESH); \
+        else if (groups > 99) \
+            walk_##by##_all(pairs, word, count, hit, undecided); \
         else \
             walk_all_##by(pairs, word, count, hit, undecided, groups); \
     }
 #define WALKS(sequence) WALK(BY_MARGIN, sequence) WALK(BY_SIGN, sequence)
+WALK_OF(BY_MARGIN)
+WALK_OF(BY_SIGN)
 TRIBOX_FOR_EACH_SEQUENCE(WALKS)
 
 /*
  * Surveys with the second look of ties.h where margins decide: it changes no answer, and a survey cannot know whether it is needed.
- * Of a soup the flag is asked about what is left.
+ * The flag is asked about what is left.
  */
-#define SURVEY(by, looks) \
-    static uint64_t survey_##by(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided) \
-    { \
-        if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
-            return survey_soup(pairs, word, 123 | WALKS_##by | looks | WALKS_SOUP, seen, undecided); \
-        if (pairs->corners) \
-            return survey_word(pairs, word, 123 | WALKS_##by | looks | WALKS_SOUP | WALKS_MESH, seen, undecided); \
-        return survey_word(pairs, word, 123 | WALKS_##by | looks, seen, undecided); \
-    }
-SURVEY(BY_MARGIN, LOOKS_AGAIN)
-SURVEY(BY_SIGN, 0)
+static uint64_t survey_BY_MARGIN(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided)
+{
+    return survey_soup(pairs, word, 123 | WALKS_SOUP | LOOKS_AGAIN, seen, undecided);
+}
+
+static uint64_t survey_BY_SIGN(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided)
+{
+    return survey_soup(pairs, word, 123 | WALKS_SOUP | WALKS_BY_SIGN, seen, undecided);
+}
 
 /* Pairs of a word at most, and nothing past them is read: what a short call asks, with as little around its packets as can be. */
 TRIBOX_INLINE uint64_t walk_packets_of_few(const tribox_query *from, size_t count, uint64_t *undecided, walk_kind kind)

@@ -94,29 +94,8 @@ TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_query *from, walk_kin
     }
 }
 
-/*
- * What a packet does at place k of its sequence: test a group, test edges and plane together where the plane comes right after the
- * edges (EDGES_AND_PLANE), or nothing, as the box normals that come first are tested while loading.
- */
-enum { EDGES_AND_PLANE = 32 };
-
-TRIBOX_INLINE bool is_box_first(unsigned sequence) { return group_at(sequence, 0) == 1; }
-
-TRIBOX_INLINE unsigned stage_at(unsigned sequence, int k)
-{
-    const unsigned before = k ? group_at(sequence, k - 1) : 0, group = group_at(sequence, k), after = group_at(sequence, k + 1);
-    if (group == 3 && after == 2)
-        return EDGES_AND_PLANE;
-    return (group == 2 && before == 3) || (group == 1 && k == 0) ? 0 : group;
-}
-
-/* Whether a stage follows place k. Only then is it worth asking whether any lane is left: one lane alone is hard to foresee. */
-TRIBOX_INLINE bool has_stage_after(unsigned sequence, int k) { return stage_at(sequence, 2) || (k == 0 && stage_at(sequence, 1)); }
-
-TRIBOX_INLINE bool has_joint_stage(unsigned sequence)
-{
-    return stage_at(sequence, 0) == EDGES_AND_PLANE || stage_at(sequence, 1) == EDGES_AND_PLANE;
-}
+/* Whether the box normals are tested while loading. */
+TRIBOX_INLINE bool is_box_first(unsigned sequence) { return sequence_has(sequence, 1) && !group_alone(sequence); }
 
 TRIBOX_INLINE vnum load_stream(const float *from, size_t few, walk_kind kind)
 {
@@ -220,46 +199,37 @@ TRIBOX_INLINE vmask is_finite_sum(const lane_triangle *t)
 }
 
 /*
- * FAST: the lanes of `left` that the signs of one stage's slacks do not separate. Where the plane is one of the groups, only
- * lanes with a finite d are separated: the sign of a NaN means nothing. Without it a NaN comes only from coordinates
+ * FAST: the lanes of `left` that a slack's sign does not separate, d being that of the plane, or 0 where it is not asked. Then only
+ * lanes with a finite d are separated: the sign of a NaN means nothing. Without the plane a NaN comes only from coordinates
  * that are not finite, which overlap nothing, or from numbers beyond 2^40.
  */
-TRIBOX_INLINE uint64_t left_by_sign(const lane_pairs *p, lane_shape *s, unsigned stage, walk_kind kind, uint64_t left,
-                                    vmask *finite)
+TRIBOX_INLINE uint64_t left_by_sign(vnum slack, vnum d, uint64_t left, vmask *finite)
 {
-    vnum slack, d = v_splat(0);
-    if (stage == EDGES_AND_PLANE) {
-        const joint_slacks joint = joint_slacks_of(s, kind);
-        d = joint.d;
-        slack = v_either(joint.edges, joint.plane);
-    } else if (stage == 3) {
-        d = sequence_has(groups_of(kind), 2) ? plane_distance(s) : d;
-        slack = worst_edge(s, kind);
-    } else if (stage == 2) {
-        d = plane_distance(s);
-        slack = plane_slack_of(plane_reach(s), d);
-    } else {
-        return stage == 1 ? left & ~m_bits(apart_on_box_normals(p)) : left;
-    }
     *finite = v_gt(v_splat(INFINITY), v_abs(d));
     return left & ~m_bits(m_and(*finite, m_signs(slack)));
 }
 
+TRIBOX_INLINE uint64_t left_by_plane_sign(const lane_shape *s, uint64_t left, vmask *finite)
+{
+    const vnum d = plane_distance(s);
+    return left_by_sign(plane_slack_of(plane_reach(s), d), d, left, finite);
+}
+
+TRIBOX_INLINE uint64_t left_by_edge_signs(const lane_shape *s, walk_kind kind, uint64_t left, vmask *finite)
+{
+    return left_by_sign(worst_edge(s, kind), sequence_has(groups_of(kind), 2) ? plane_distance(s) : v_splat(0), left, finite);
+}
+
 /*
- * CONSERVATIVE and EXACT: the same of one group where the slack is beyond its margin; *certain keeps the lanes beyond it, on the
- * good side. The first slack is computed before the margin, so that fewer numbers are live at a time.
+ * CONSERVATIVE and EXACT: the same of one group, 2 or 3, where the slack is beyond its margin; *certain keeps the lanes beyond it,
+ * on the good side. The first slack is computed before the margin, so that fewer numbers are live at a time.
  */
 TRIBOX_INLINE uint64_t left_by_margin(const lane_pairs *p, const lane_shape *s, unsigned group, bool is_first, walk_kind kind,
                                       uint64_t left, lane_margin *margin, vmask *certain)
 {
-    const bool is_box_asked = sequence_has(groups_of(kind), 1);
-    if (group == 1)
-        return left & ~m_bits(apart_on_box_normals(p));
-    if (group != 2 && group != 3)
-        return left;
     const vnum slack = group == 2 ? plane_slack_for(s, plane_slack(s, plane_reach(s)), kind) : worst_edge(s, kind);
     if (is_first)
-        *margin = margin_of(s, &p->margin, is_box_asked);
+        *margin = margin_of(s, &p->margin, sequence_has(groups_of(kind), 1));
     const vnum error = group == 2 ? margin->plane : margin->edges;
     *certain = is_first ? v_gt(slack, error) : m_and(*certain, v_gt(slack, error));
     return left & ~m_bits(m_and(margin->is_valid, v_gt(v_splat(0), v_add(slack, error))));
@@ -306,15 +276,20 @@ TRIBOX_INLINE vmask needs_no_more(const lane_pairs *p, const lane_shape *s, walk
 /* FAST: what the signs of the slacks leave; undecided where a coordinate is not finite. */
 TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *undecided)
 {
+    const unsigned groups = groups_of(kind);
     vmask finite = m_all();
-    left = left_by_sign(p, s, stage_at(groups_of(kind), 0), kind, left, &finite);
-    if (has_stage_after(groups_of(kind), 0) && !left)
-        return 0;
-    left = left_by_sign(p, s, stage_at(groups_of(kind), 1), kind, left, &finite);
-    if (has_stage_after(groups_of(kind), 1) && !left)
-        return 0;
-    left = left_by_sign(p, s, stage_at(groups_of(kind), 2), kind, left, &finite);
-    if (!sequence_has(groups_of(kind), 2))
+    if (is_joint(groups)) {
+        const joint_slacks joint = joint_slacks_of(s, kind);
+        left = left_by_sign(v_either(joint.edges, joint.plane), joint.d, left, &finite);
+    } else {
+        if (sequence_has(groups, 2))
+            left = left_by_plane_sign(s, left, &finite);
+        if (sequence_has(groups, 2) && sequence_has(groups, 3) && !left)
+            return 0;
+        if (sequence_has(groups, 3))
+            left = left_by_edge_signs(s, kind, left, &finite);
+    }
+    if (!sequence_has(groups, 2))
         finite = is_finite_sum(&p->t);
     *undecided = left & ~m_bits(finite);
     return left & m_bits(finite);
@@ -324,18 +299,16 @@ TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk
 TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left,
                                           uint64_t *undecided)
 {
-    const unsigned first = stage_at(groups_of(kind), 0), second = stage_at(groups_of(kind), 1),
-                   third = stage_at(groups_of(kind), 2);
+    const unsigned groups = groups_of(kind);
     lane_margin margin;
     vmask certain = m_all();
-    left = left_by_margin(p, s, first, true, kind, left, &margin, &certain);
-    if (has_stage_after(groups_of(kind), 0) && !left)
+    if (sequence_has(groups, 2))
+        left = left_by_margin(p, s, 2, true, kind, left, &margin, &certain);
+    if (sequence_has(groups, 2) && sequence_has(groups, 3) && !left)
         return 0;
-    left = left_by_margin(p, s, second, first < 2, kind, left, &margin, &certain);
-    if (has_stage_after(groups_of(kind), 1) && !left)
-        return 0;
-    left = left_by_margin(p, s, third, first < 2 && second < 2, kind, left, &margin, &certain);
-    if (groups_of(kind) == 1)
+    if (sequence_has(groups, 3))
+        left = left_by_margin(p, s, 3, !sequence_has(groups, 2), kind, left, &margin, &certain);
+    if (groups == 1)
         margin = margin_of(s, &p->margin, true);
     const uint64_t hit = certain_overlaps(s, &p->margin, &margin, clear_of(p, certain, kind), kind, left);
     *undecided = left & ~hit;
@@ -358,8 +331,6 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
     vmask decided = m_and(m_and(margin.is_valid, v_gt(v_abs(slack.edges), margin.edges)), v_gt(v_abs(slack.plane), margin.plane));
     if (is_box_asked)
         decided = m_and(decided, m_or(apart, needs_no_more(p, s, kind)));
-    if (is_box_asked && !is_box_first(groups_of(kind)))
-        left &= ~m_bits(apart_on_box_normals(p));
     if (!(kind & LOOKS_AGAIN) && !(left & ~m_bits(decided)))
         return left & ~m_bits(apart);
     const vmask beyond = m_or(v_gt(zero, v_add(slack.edges, margin.edges)), v_gt(zero, v_add(slack.plane, margin.plane)));
@@ -369,6 +340,21 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
     *undecided = left & ~hit;
     return hit;
 }
+
+/* The lanes that a group alone leaves of all. */
+TRIBOX_INLINE uint64_t left_by_group_alone(const lane_pairs *p, const lane_shape *s, walk_kind kind)
+{
+    const unsigned group = group_alone(groups_of(kind));
+    lane_margin margin;
+    vmask unused;
+    if (!(kind & WALKS_BY_SIGN))
+        return left_by_margin(p, s, group, true, kind, LANES_ALL, &margin, &unused);
+    return group == 2 ? left_by_plane_sign(s, LANES_ALL, &unused) : left_by_edge_signs(s, kind, LANES_ALL, &unused);
+}
+
+/* A packet of a soup that a group alone does not reject, from the start: one copy of it, so that walks of such orders are short. */
+static uint64_t whole_packet_BY_MARGIN(const tribox_query *from, size_t at, uint64_t *undecided);
+static uint64_t whole_packet_BY_SIGN(const tribox_query *from, size_t at, uint64_t *undecided);
 
 /* The lanes of the packet at pair `at` that overlap for this kind of walk; in *undecided those that are left to a slower stage. */
 TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_query *from, size_t at, walk_kind kind, uint64_t *undecided)
@@ -384,12 +370,27 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_query *from, size_t at
     left = load_axis(p, from, at, 2, kind, left, &s);
     if (!left)
         return 0;
-    const bool is_joint = has_joint_stage(groups_of(kind));
-    if (!is_joint)
+    if (!(kind & (WALKS_SOUP | WALKS_BY_SIGN)))
+        p->margin = box_margin_of(&p->box);
+    if (!is_joint(groups_of(kind)))
         shape_normal(&s);
+    if (group_alone(groups_of(kind))) {
+        if (!left_by_group_alone(p, &s, kind))
+            return 0;
+        return kind & WALKS_BY_SIGN ? whole_packet_BY_SIGN(from, at, undecided) : whole_packet_BY_MARGIN(from, at, undecided);
+    }
     if (kind & WALKS_BY_SIGN)
         return overlaps_by_sign(p, &s, kind, left, undecided);
-    if (!(kind & WALKS_SOUP))
-        p->margin = box_margin_of(&p->box);
-    return is_joint ? overlaps_by_joint_margin(p, &s, kind, left, undecided) : overlaps_by_margin(p, &s, kind, left, undecided);
+    return is_joint(groups_of(kind)) ? overlaps_by_joint_margin(p, &s, kind, left, undecided)
+                                     : overlaps_by_margin(p, &s, kind, left, undecided);
 }
+
+#define WHOLE_PACKET(by) \
+    TRIBOX_NOINLINE uint64_t whole_packet_##by(const tribox_query *from, size_t at, uint64_t *undecided) \
+    { \
+        lane_pairs p; \
+        start_pairs(&p, from, 132 | WALKS_SOUP | WALKS_##by); \
+        return packet(&p, from, at, 132 | WALKS_SOUP | WALKS_##by, undecided); \
+    }
+WHOLE_PACKET(BY_MARGIN)
+WHOLE_PACKET(BY_SIGN)

@@ -1,5 +1,6 @@
 /*
- * survey.h - a word walked in order 123 that also says which groups of axes reject whole packets: choice.c finds the order from it.
+ * survey.h - a word of a soup, walked in order 123, which also says what groups of axes reject whole packets: choice.c finds the
+ * order from it.
  * After: packet.h.
  *
  * A packet is left as early as in a walk: what it would cost to know the rest of it is more than the choice could gain.
@@ -13,13 +14,13 @@ TRIBOX_INLINE void note_rejected(tribox_seen *seen, uint64_t packet, uint64_t bo
         seen->rejected[k + 1] |= left[k] ? 0 : packet;
 }
 
-TRIBOX_INLINE uint64_t survey_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t packet, uint64_t left,
-                                      tribox_seen *seen, uint64_t *undecided)
+TRIBOX_INLINE uint64_t survey_by_sign(const lane_shape *s, walk_kind kind, uint64_t packet, uint64_t left, tribox_seen *seen,
+                                      uint64_t *undecided)
 {
     vmask finite;
-    const uint64_t plane = left_by_sign(p, s, 2, kind, LANES_ALL, &finite);
+    const uint64_t plane = left_by_plane_sign(s, LANES_ALL, &finite);
     const bool is_left = left & plane;
-    const uint64_t edges = is_left ? left_by_sign(p, s, 3, kind, LANES_ALL, &finite) : LANES_ALL;
+    const uint64_t edges = is_left ? left_by_edge_signs(s, kind, LANES_ALL, &finite) : LANES_ALL;
     note_rejected(seen, packet, left, plane, edges);
     *undecided = left & plane & edges & ~m_bits(finite);
     return left & plane & edges & m_bits(finite);
@@ -54,9 +55,7 @@ TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_query *from, si
     }
     shape_normal(&s);
     if (kind & WALKS_BY_SIGN)
-        return survey_by_sign(p, &s, kind, packet, left, seen, undecided);
-    if (!(kind & WALKS_SOUP))
-        p->margin = box_margin_of(&p->box);
+        return survey_by_sign(&s, kind, packet, left, seen, undecided);
     return survey_by_margin(p, &s, kind, packet, left, seen, undecided);
 }
 
