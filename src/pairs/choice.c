@@ -24,8 +24,8 @@ static const struct order_cost {
      {0, 36, 48},
      {0, 40, 52}},                                                   /* taken where all is apart from the box, in case that ends */
     {TRIBOX_SEQUENCE_132, BOX, BOX | EDGES, {0, 78, 0}, {0, 78, 0}}, /* edges and plane together */
-    {TRIBOX_SEQUENCE_213, PLANE, PLANE, {44, 106, 0}, {50, 106, 0}},
-    {TRIBOX_SEQUENCE_312, EDGES, EDGES, {80, 106, 0}, {80, 106, 0}},
+    {TRIBOX_SEQUENCE_213, PLANE, BOX | PLANE, {34, 28, 78}, {40, 28, 78}},
+    {TRIBOX_SEQUENCE_312, EDGES, BOX | EDGES, {80, 28, 78}, {80, 28, 78}},
 };
 
 /* Of the packets of a word: how many are left by some groups, and how often one is and the next is not, or the other way round. */
