@@ -121,9 +121,9 @@ for text in re.findall(r"^\| \**`([\w/]+\.h)`", read("src/kernel/README.md"), re
 
 # A branch is an if, and lines fit a screen.
 for name in FILES:
-    if re.search(r"\.(c|h|cc|py|sh|mjs)$", name):
+    if re.search(r"\.(c|h|cc|[ch]pp|py|sh|mjs)$", name):
         for number, line in enumerate(read(name).splitlines(), 1):
-            if re.search(r"\.(c|h|cc)$", name) and re.search(r"\? [\w>.-]+ : [\w>.-]+\)\(", line):
+            if re.search(r"\.(c|h|cc|[ch]pp)$", name) and re.search(r"\? [\w>.-]+ : [\w>.-]+\)\(", line):
                 fail(f"{name}:{number}: (c ? f : g)(x) is not found by grep; write an if")
             if len(line) > COLUMNS:
                 fail(f"{name}:{number}: {len(line)} columns, more than {COLUMNS}")
