@@ -1,23 +1,25 @@
 #!/bin/sh
 # An example compiles by the line in its first comment, against the installed library, and prints what it should:
-# example.sh EXAMPLE.c EXPECTED.txt
+# example.sh EXAMPLE EXPECTED.txt
 # In EXPECTED.txt "*" stands for a time or a word that differs between machines.
 . "$(dirname "$0")/../package/parts.sh"
 install_build
 
 source=$1 expected=$2
-name=$(basename "$source" .c)
+name=$(basename "$source")
 export PKG_CONFIG_LIBDIR="$libdir/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$root"
 export PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 LD_LIBRARY_PATH="$libdir"
 
-line=$(sed -n 's/^ \*     \(cc .*\)/\1/p' "$source")
+line=$(sed -n 's/^ \*     \(cc .*\)/\1/p; s/^ \*     c++ \(.*\)/cxx \1/p' "$source")
 test -n "$line" || die "$source does not say how it is compiled"
 mkdir "$work/bin"
 ln -s "$PKG_CONFIG" "$work/bin/pkg-config"
 cp "$source" "$(dirname "$source")/large_pages.h" "$work"
 cd "$work"
 # The compiler of this build, and no warning from it.
-cc() { command $CC $SANITIZER -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Werror "$@"; }
+warnings='-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror'
+cc() { command $CC $SANITIZER $warnings -Wstrict-prototypes "$@"; }
+cxx() { command $CXX $SANITIZER $warnings -Wold-style-cast "$@"; }
 (PATH=$work/bin:$PATH && eval "$line") >printed || die "$line: fails"
 test -s printed || die "$name prints nothing"
 
