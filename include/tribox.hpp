@@ -387,72 +387,66 @@ inline unsigned lowest_bit(uint64_t word)
 /* The bits below one, all 64 if there are more. */
 inline uint64_t bits_below(uint64_t count) { return count < 64 ? (uint64_t{1} << count) - 1 : UINT64_MAX; }
 
-/* The set bits of words, one after the other. A place says what they stand for, and which bits of a word count. */
+/* The set bits of words, one after the other. A place enters a word that is not zero, and returns which of its bits count. */
 template <class Place> struct set_range {
     struct last {
     };
     struct iterator {
-        const uint64_t *at, *stop;
+        const uint64_t *first, *stop, *at;
         Place place;
-        uint64_t left = 0;
+        uint64_t left;
 
         auto operator*() const { return place[lowest_bit(left)]; }
         bool operator!=(last) const { return at != stop; }
         iterator &operator++()
         {
             left &= left - 1;
-            skip();
+            if (!left)
+                next_word();
             return *this;
         }
-        void skip()
+        void next_word()
         {
-            while (!left && ++at != stop)
-                left = *at & place.next_word();
+            while (++at != stop)
+                if (*at && (left = *at & place.enter(static_cast<size_t>(at - first))))
+                    return;
         }
     };
     view<const uint64_t> words;
-    Place place;
+    Place start;
 
     iterator begin() const
     {
-        iterator first{words.begin(), words.end(), place};
-        if (words.size()) {
-            first.left = words[0] & place.counted();
-            first.skip();
-        }
-        return first;
+        iterator from{words.begin(), words.end(), words.begin(), start, 0};
+        if (words.size() && !(from.left = words[0] & from.place.enter(0)))
+            from.next_word();
+        return from;
     }
     last end() const { return {}; }
 };
 
 struct number_place {
     size_t count, first;
-    uint64_t counted() const { return bits_below(count - first); }
-    uint64_t next_word() { return first += 64, counted(); }
+    uint64_t enter(size_t word) { return first = 64 * word, bits_below(count - first); }
     size_t operator[](unsigned bit) const { return first + bit; }
 };
 
 struct row_place {
     uint32_t along_x, along_y;
     cell first;
-    uint64_t counted() const { return bits_below(along_x - first.i); }
-    uint64_t next_word()
+    uint64_t enter(size_t word)
     {
-        if (along_x - first.i > 64)
-            first.i += 64;
-        else if (++first.j < along_y)
-            first.i = 0;
-        else
-            first = {0, 0, first.k + 1};
-        return counted();
+        const size_t words = along_x / 64 + (along_x % 64 != 0), row = word / words;
+        first = {static_cast<uint32_t>(word % words * 64), static_cast<uint32_t>(row % along_y),
+                 static_cast<uint32_t>(row / along_y)};
+        return bits_below(along_x - first.i);
     }
     cell operator[](unsigned bit) const { return {first.i + bit, first.j, first.k}; }
 };
 
 struct brick_place {
-    cell first;
-    uint64_t counted() const { return UINT64_MAX; }
-    uint64_t next_word() { return first.k++, counted(); }
+    cell brick, first;
+    uint64_t enter(size_t word) { return first = {brick.i, brick.j, brick.k + static_cast<uint32_t>(word)}, UINT64_MAX; }
     cell operator[](unsigned bit) const { return {first.i + bit % 8, first.j + bit / 8, first.k}; }
 };
 
@@ -479,7 +473,10 @@ inline auto set_cells(const cells &of, view<const uint64_t> occupied)
 struct brick {
     const uint32_t *at;
     const uint64_t *bits;
-    auto begin() const { return detail::set_range<detail::brick_place>{{bits, 8}, {{8 * at[0], 8 * at[1], 8 * at[2]}}}.begin(); }
+    auto begin() const
+    {
+        return detail::set_range<detail::brick_place>{{bits, 8}, {{8 * at[0], 8 * at[1], 8 * at[2]}, {}}}.begin();
+    }
     auto end() const { return detail::set_range<detail::brick_place>::last(); }
     /** Where the numbers that come with a brick have those of a cell of the grid. */
     static size_t place(const cell &of) { return 64 * (of.k % 8) + 8 * (of.j % 8) + of.i % 8; }
