@@ -1,6 +1,6 @@
 #!/bin/sh
 # What a reader of README.md, BUILD.md and examples/README.md types works: readme.sh example|by-hand ROOT LIBDIR
-#   example  the first C block with a main of each page that has one compiles without a warning and runs
+#   example  the first C block with a main of each page that has one, and all of C++, compile without a warning and run
 #   by-hand  the block of BUILD.md with "ar rcs" builds without meson or CMake, on x86-64; the program that it makes runs, and
 #            the library has the kernels of the one in LIBDIR
 . "$(dirname "$0")/parts.sh"
@@ -25,6 +25,24 @@ if test "$what" = example; then
             -L"$libdir" -ltribox -lm -Wl,-rpath,"$libdir"
         "$work/example"
     done
+    test -n "$CXX" || exit 0
+    {
+        echo '#include <cstdio>
+            #include <tribox.hpp>
+            #include <vector>
+            struct float3 { float x, y, z; };
+            int main() {
+            const std::vector<float3> vertices = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+            const std::vector<uint32_t> corners = {0, 1, 2};
+            std::vector<uint64_t> mask(1);
+            const tribox::grid grid({0, 0, 0}, 1, {2, 2, 2});
+            uint32_t height[2][2];'
+        sed -n '/^```cpp/,/^```$/p' "$root/README.md" | grep -v '^```'
+        echo '}'
+    } >"$work/example.cc"
+    $CXX $SANITIZER -std=c++17 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$work/example.cc" -o "$work/example" \
+        -L"$libdir" -ltribox -Wl,-rpath,"$libdir"
+    test "$("$work/example")" = "triangle 0 overlaps"
     exit
 fi
 
