@@ -238,13 +238,13 @@ TRIBOX_NOINLINE bool split_any(const tribox_soup *soup, const tribox_halves *fro
 #define split_any split_all
 #endif
 
-#define SPLIT(name, kind) \
+#define SPLIT_BY(name, kind) \
     static bool split_##name(const tribox_soup *soup, const tribox_halves *from, int32_t *bits) \
     { \
         return split_any(soup, from, bits, kind); \
     }
-SPLIT(by_margin, 132 | WALKS_SOUP | LOOKS_AGAIN)
-SPLIT(by_sign, 132 | WALKS_SOUP | WALKS_BY_SIGN)
-SPLIT(local, 132 | WALKS_SOUP | WALKS_LOCAL | LOOKS_AGAIN)
-SPLIT(box, 1 | WALKS_SOUP)
-SPLIT(local_box, 1 | WALKS_SOUP | WALKS_LOCAL)
+SPLIT_BY(by_margin, 132 | WALKS_SOUP | LOOKS_AGAIN)
+SPLIT_BY(by_sign, 132 | WALKS_SOUP | WALKS_BY_SIGN)
+SPLIT_BY(local, 132 | WALKS_SOUP | WALKS_LOCAL | LOOKS_AGAIN)
+SPLIT_BY(box, 1 | WALKS_SOUP)
+SPLIT_BY(local_box, 1 | WALKS_SOUP | WALKS_LOCAL)
