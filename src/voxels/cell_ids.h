@@ -80,7 +80,7 @@ static inline void tribox_lower_run(const tribox_cell_ids *of, uint32_t *ids, ui
 {
     const unsigned some = TRIBOX_IDS_AT_ONCE;
     if (some && of->has_room) {
-        const unsigned from = (uintptr_t)ids / sizeof *ids & (some - 1);
+        const unsigned from = (unsigned)((uintptr_t)ids / sizeof *ids) & (some - 1);
         tribox_lower_some(ids - from, before << from, ~UINT64_C(0) >> (64 - count) << from, id);
         for (int64_t n = some - from; n < count; n += some)
             tribox_lower_some(ids + n, before >> n, ~UINT64_C(0) >> (64 - (count - n)), id);
