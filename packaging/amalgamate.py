@@ -18,6 +18,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TOKEN = re.compile(r"""(?P<skip>/\*.*?\*/|\s+)|^(?P<directive>[ \t]*\#(?:\\\n|/\*.*?\*/|[^\n])*)|"(?:\\.|[^"\\\n])*\""""
                    r"""|'(?:\\.|[^'\\\n])*'|(?P<word>[A-Za-z_]\w*)|\.?\d(?:[eEpP][+-]|[\w.])*|->|.""", re.S | re.M)
 ARGUMENTS = r"\s*\(((?:[^()]|\((?:[^()]|\([^()]*\))*\))*)\)"
+VISIBILITY = "#if defined(__GNUC__) && !defined(_WIN32)\n#pragma GCC visibility {}\n#endif\n"
 SHARED_HERE = "/* the shared headers */\n"
 GCC = "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC {}_options\n#endif\n"
 HOW = """
@@ -33,9 +34,6 @@ BEGINNING = """#include "tribox.h"
 #define TRIBOX_OF_PART__(name, part) name##_##part
 #define TRIBOX_OF_PART_(name, part) TRIBOX_OF_PART__(name, part)
 #define TRIBOX_OF_PART(name) TRIBOX_OF_PART_(name, TRIBOX_PART)
-#if defined(__GNUC__) && !defined(_WIN32)
-#pragma GCC visibility push(hidden)
-#endif
 """
 Directive = collections.namedtuple("Directive", "start end word rest")
 macros, all_macros = {}, set()  # those with parameters: {name: (parameters, body)}; the names of all
@@ -203,7 +201,7 @@ class Library:
             if params:
                 macros[name] = split(params[1:-1]), re.sub(r"/\*.*?\*/|\\\n", " ", body).strip()
         self.sources, self.early = {path: Source(path, text) for path, text in texts.items()}, {}  # {conditions: system's headers}
-        kernels = re.findall(r"(?m)^(\w+) (\w+) \w+:", read("src/kernels.txt"))
+        kernels = re.findall(r"(?m)^(\w+) (\w+)(?: \w+:.*)?$", read("src/kernels.txt"))
         self.kernels = [(name, f"src/{folder}/{part}_{name}.c") for name, folder in kernels
                         for part in ("settle", "cells", "rows", "nodes", "pairs")]
         parts = [path for _, path in self.kernels]
@@ -258,17 +256,17 @@ class Library:
         source, has_shared = self.sources[path], path not in self.words
         edits = [(directive.start, directive.end, "") for directive in source.guard]
         for directive, target, under in source.included:
+            new = ""
             if target is None:  # of the system
                 if not under or path in self.of_kernels and path not in self.shared and None not in under:
                     self.early.setdefault("".join(under), set()).add(f"#include {directive.rest}\n")
-                new = f"#include {directive.rest}" if under else ""
+                else:
+                    new = seen(f"#include {directive.rest}\n")
             elif target in self.shared and target not in self.first and not has_shared:
-                has_shared, new = True, "#endif\n" * len(under) + SHARED_HERE + "".join(under).rstrip("\n")
-            elif target in self.shared and path not in self.first or target in self.common and path in self.of_kernels:
-                new = ""
-            else:
-                new = self.written(target).rstrip("\n") if target in self.sources else ""
-            edits.append((directive.start, directive.end, new))
+                has_shared, new = True, "#endif\n" * len(under) + SHARED_HERE + "".join(under)
+            elif path in self.first or target not in self.shared and not (target in self.common and path in self.of_kernels):
+                new = self.written(target) if target in self.sources else ""
+            edits.append((directive.start, directive.end, new.rstrip("\n")))
         for start, end in source.runs_of_types() if path in self.of_kernels and path in self.shared else ():
             edits += [(start, start, "#if !defined(TRIBOX_HAS_TYPES)\n"), (end, end, "\n#endif")]
         text, at = "", 0
@@ -297,7 +295,7 @@ class Library:
         texts = [*map(self.written, self.common), *(only(path, self.written(path)) for path in self.umbrellas)]
         yield self.written("src/base/targets.h")
         for under, names in sorted(self.early.items())[1:]:
-            yield under + "".join(sorted(names)) + "#endif\n" * under.count("\n")
+            yield under + seen("".join(sorted(names))) + "#endif\n" * under.count("\n")
         yield from (only(path, head) for path, (head, _) in words.items())
         yield from [*headers, "#if defined(KERNEL)\n", *(only(path, tail) for path, (_, tail) in words.items()), *texts]
         forgotten = self.macros_of(path for path in self.of_kernels if path not in self.first)
@@ -311,10 +309,17 @@ class Library:
             parts += "".join(f"#define {word}\n" for word in [f"TRIBOX_PART {base(path)}", *map(has, self.sources[path].includes)])
             parts += '#include "tribox.c"\n' + GCC.format("pop") + "#endif\n" * (name != "scalar") + "\n"
         mine = {"TRIBOX_HAS_TYPES", "TRIBOX_OF_PART", "TRIBOX_OF_PART_", "TRIBOX_OF_PART__"}
-        return (f"#if !defined(TRIBOX_PART)\n\n{BEGINNING}\n{''.join(sorted(self.early['']))}\n{GCC.format('push')}"
-                f'#define TRIBOX_PART core\n#include "tribox.c"\n#define TRIBOX_HAS_TYPES\n\n{core}{GCC.format("pop")}\n'
-                f"{renaming(self.names)}\n{parts}{undefined(self.names | self.macros_of(self.first) | mine)}\n"
-                f"#else /* a part of a kernel, or what the core shares with them */\n\n{kernel}\n#endif\n")
+        return (f"#if !defined(TRIBOX_PART) && !defined(TRIBOX_CORE)\n\n{BEGINNING}\n{''.join(sorted(self.early['']))}\n"
+                f'{VISIBILITY.format("push(hidden)")}{GCC.format("push")}#define TRIBOX_PART core\n#include "tribox.c"\n#define TRIBOX_HAS_TYPES\n\n'
+                f'#define TRIBOX_CORE\n#include "tribox.c"\n#undef TRIBOX_CORE\n{GCC.format("pop")}\n{renaming(self.names)}\n'
+                f"{parts}{undefined(self.names | self.macros_of(self.first) | mine)}{VISIBILITY.format('pop')}\n"
+                f"#elif defined(TRIBOX_CORE) /* all but kernels; included, as clang warns of unused functions in a main file */\n\n"
+                f"{core}\n#else /* a part of a kernel, or what the core shares with them */\n\n{kernel}\n#endif\n")
+
+
+def seen(includes):
+    """Includes of the system, whose functions are not hidden."""
+    return VISIBILITY.format("push(default)") + includes + VISIBILITY.format("pop")
 
 
 def base(path):
