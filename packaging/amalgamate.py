@@ -19,6 +19,7 @@ TOKEN = re.compile(r"""(?P<skip>/\*.*?\*/|\s+)|^(?P<directive>[ \t]*\#(?:\\\n|/\
                    r"""|'(?:\\.|[^'\\\n])*'|(?P<word>[A-Za-z_]\w*)|\.?\d(?:[eEpP][+-]|[\w.])*|->|.""", re.S | re.M)
 ARGUMENTS = r"\s*\(((?:[^()]|\((?:[^()]|\([^()]*\))*\))*)\)"
 VISIBILITY = "#if defined(__GNUC__) && !defined(_WIN32)\n#pragma GCC visibility {}\n#endif\n"
+ONCE, END_OF_ONCE = "#if !defined(TRIBOX_HAS_TYPES)\n", "\n#endif /* of what all parts share */"
 SHARED_HERE = "/* the shared headers */\n"
 GCC = "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC {}_options\n#endif\n"
 HOW = """
@@ -178,16 +179,6 @@ class Source:
             return word + "_" * (word in names and not is_member)
         return Source(self.path, TOKEN.sub(longer, self.text))
 
-    def runs_of_types(self):
-        """Where items begin and end that all parts share, with nothing but comments between them."""
-        runs, before = [], None
-        for item in self.items:
-            if item.is_once:
-                is_next = before and before.is_once and not any(before.end < at.start < item.start for at in self.directives)
-                runs[-1:] = [(runs[-1][0], item.end)] if is_next else [*runs[-1:], (item.start, item.end)]
-            before = item
-        return runs
-
 
 class Library:
     """The sources of the tree, sorted into parts, texts and shared headers, and what is written of them."""
@@ -228,17 +219,13 @@ class Library:
         clashing |= {path for path in shared if all(by in clashing for by in self.sources if path in self.sources[by].includes)}
         return (shared - clashing) & {path for source in self.sources.values() for _, path, under in source.included if not under}
 
-    def closure(self, paths):
+    def closure(self, paths, known=None):
         """These and what they include, directly or not, each after what it includes first."""
-        known = []
-
-        def visit(path):
-            if path in self.sources and path not in known:
-                for other in self.sources[path].includes:
-                    visit(other)
-                known.append(path)
+        known = [] if known is None else known
         for path in paths:
-            visit(path)
+            if path in self.sources and path not in known:
+                self.closure(self.sources[path].includes, known)
+                known.append(path)
         return known
 
     def texts_of(self, path):
@@ -267,12 +254,15 @@ class Library:
             elif path in self.first or target not in self.shared and not (target in self.common and path in self.of_kernels):
                 new = self.written(target) if target in self.sources else ""
             edits.append((directive.start, directive.end, new.rstrip("\n")))
-        for start, end in source.runs_of_types() if path in self.of_kernels and path in self.shared else ():
-            edits += [(start, start, "#if !defined(TRIBOX_HAS_TYPES)\n"), (end, end, "\n#endif")]
+        for item in source.items if path in self.of_kernels and path in self.shared else ():
+            if item.is_once:
+                edits += [(item.start, item.start, ONCE), (item.end, item.end, END_OF_ONCE)]
         text, at = "", 0
         for start, end, new in sorted(edits):
             text, at = text + source.text[at:start] + new, end
-        return re.sub(r"\n{3,}", "\n\n", (text + source.text[at:]).strip("\n") + "\n")
+        between = rf"{re.escape(END_OF_ONCE)}((?:\s|/\*(?:[^*]|\*(?!/))*\*/)*){re.escape(ONCE)}"
+        text = re.sub(between, r"\1", text + source.text[at:])
+        return re.sub(r"\n{3,}", "\n\n", text.strip("\n") + "\n")
 
     def of_core(self):
         """The parts that belong to no kernel, each after the shared headers that kernels do not include."""
@@ -310,9 +300,10 @@ class Library:
             parts += '#include "tribox.c"\n' + GCC.format("pop") + "#endif\n" * (name != "scalar") + "\n"
         mine = {"TRIBOX_HAS_TYPES", "TRIBOX_OF_PART", "TRIBOX_OF_PART_", "TRIBOX_OF_PART__"}
         return (f"#if !defined(TRIBOX_PART) && !defined(TRIBOX_CORE)\n\n{BEGINNING}\n{''.join(sorted(self.early['']))}\n"
-                f'{VISIBILITY.format("push(hidden)")}{GCC.format("push")}#define TRIBOX_PART core\n#include "tribox.c"\n#define TRIBOX_HAS_TYPES\n\n'
-                f'#define TRIBOX_CORE\n#include "tribox.c"\n#undef TRIBOX_CORE\n{GCC.format("pop")}\n{renaming(self.names)}\n'
-                f"{parts}{undefined(self.names | self.macros_of(self.first) | mine)}{VISIBILITY.format('pop')}\n"
+                f'{VISIBILITY.format("push(hidden)")}{GCC.format("push")}#define TRIBOX_PART core\n#include "tribox.c"\n'
+                f'#define TRIBOX_HAS_TYPES\n#define TRIBOX_CORE\n#include "tribox.c"\n#undef TRIBOX_CORE\n{GCC.format("pop")}\n'
+                f"{renaming(self.names)}\n{parts}"
+                f"{undefined(self.names | self.macros_of(self.first) | mine)}{VISIBILITY.format('pop')}\n"
                 f"#elif defined(TRIBOX_CORE) /* all but kernels; included, as clang warns of unused functions in a main file */\n\n"
                 f"{core}\n#else /* a part of a kernel, or what the core shares with them */\n\n{kernel}\n#endif\n")
 
