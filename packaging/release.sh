@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes all that is published of a version, from its tag alone and bit for bit again: packaging/release.sh TAG FOLDER, a new one.
-# PARTS are those that are made, all by default: source debian wheels npm windows. They take what tests/run.sh and .ci/run
+# PARTS are those that are made, all by default: source two_files debian wheels npm windows. They take what tests/run.sh and .ci/run
 # install. OPTIMIZATION=0 builds quickly, for the tests; DEB_BUILD_OPTIONS are those of debian.sh.
 set -eu
 umask 022
@@ -39,6 +39,18 @@ make_source() {
     git archive --prefix="$name/" HEAD | xz >"$out/$name.tar.xz"
 }
 
+# A folder in $work as an archive.
+zip_of() {
+    cp LICENSE "$work/$1"
+    find "$work/$1" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
+    (cd "$work" && python3 -m zipfile -c "$out/$1.zip" "$1")
+}
+
+make_two_files() {
+    packaging/amalgamate.py "$work/$name-two-files"
+    zip_of "$name-two-files"
+}
+
 # The rest of what dpkg-buildpackage writes says when it ran.
 make_debian() {
     packaging/debian.sh "$work/debian"
@@ -62,12 +74,10 @@ make_windows() {
     meson compile -C "$work/windows"
     meson install -C "$work/windows" --no-rebuild --quiet --destdir "$work/$name-windows-x64"
     rm -r "$work/$name-windows-x64/share" # manual pages, and completion for shells that are not there
-    cp LICENSE "$work/$name-windows-x64"
-    find "$work/$name-windows-x64" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
-    (cd "$work" && python3 -m zipfile -c "$out/$name-windows-x64.zip" "$name-windows-x64")
+    zip_of "$name-windows-x64"
 }
 
-for part in ${PARTS:-source debian wheels npm windows}; do
+for part in ${PARTS:-source two_files debian wheels npm windows}; do
     "make_$part" >"$work/log" 2>&1
     echo "$part: made"
 done

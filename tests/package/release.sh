@@ -48,6 +48,12 @@ diff -r one two || die 'twice is not the same'
 test "$(ls one)" = "$({ sed 's/.*  //' one/SHA256SUMS; echo SHA256SUMS; } | sort)" ||
     die 'SHA256SUMS does not name all'
 case " $* " in
+*' two_files '*)
+    python3 -m zipfile -l "one/$name-two-files.zip" | grep -cE "^$name-two-files/(tribox\.[ch]|LICENSE) " | grep -qx 3 ||
+        die 'the zip of two files has not these and the licence'
+    ;;
+esac
+case " $* " in
 *' windows '*)
     python3 -m zipfile -l "one/$name-windows-x64.zip" >listed
     for file in bin/tribox.exe bin/libtribox-${version%%.*}.dll lib/libtribox.dll.a include/tribox.h LICENSE; do
