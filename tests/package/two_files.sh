@@ -1,5 +1,5 @@
 #!/bin/sh
-# The two files of packaging/amalgamate.py: the same bytes twice, nothing written over, no warning, no macro left, the symbols of the
+# The two files of packaging/amalgamate.py: the same bytes twice, nothing written over, no warning, no macro left, symbols of the
 # header alone, and the answers of the library: two_files.sh ROOT here|O2|elsewhere
 #   here       by gcc and clang for this machine; words are not forced inline, as that takes minutes; linked with C++ as well
 #   O2         the same, as users compile them
