@@ -30,7 +30,12 @@ and include tribox.h, which has the declarations of tribox_threads.h too. Keep t
 kernel is chosen as the program runs; -DTRIBOX_WITHOUT_AVX512 and the like leave one out. A shared library exports what tribox.h
 declares and no more; on Windows define TRIBOX_SHARED_BUILD for that.
 """
-BEGINNING = """#include "tribox.h"
+BEGINNING = """#if defined(__cplusplus)
+#error "tribox.c is C, in programs of C++ as well: compile it as such, and include tribox.h"
+
+#elif !defined(TRIBOX_PART) && !defined(TRIBOX_CORE)
+
+#include "tribox.h"
 
 #define TRIBOX_OF_PART__(name, part) name##_##part
 #define TRIBOX_OF_PART_(name, part) TRIBOX_OF_PART__(name, part)
@@ -299,7 +304,7 @@ class Library:
             parts += "".join(f"#define {word}\n" for word in [f"TRIBOX_PART {base(path)}", *map(has, self.sources[path].includes)])
             parts += '#include "tribox.c"\n' + GCC.format("pop") + "#endif\n" * (name != "scalar") + "\n"
         mine = {"TRIBOX_HAS_TYPES", "TRIBOX_OF_PART", "TRIBOX_OF_PART_", "TRIBOX_OF_PART__"}
-        return (f"#if !defined(TRIBOX_PART) && !defined(TRIBOX_CORE)\n\n{BEGINNING}\n{''.join(sorted(self.early['']))}\n"
+        return (f"{BEGINNING}\n{''.join(sorted(self.early['']))}\n"
                 f'{VISIBILITY.format("push(hidden)")}{GCC.format("push")}#define TRIBOX_PART core\n#include "tribox.c"\n'
                 f'#define TRIBOX_HAS_TYPES\n#define TRIBOX_CORE\n#include "tribox.c"\n#undef TRIBOX_CORE\n{GCC.format("pop")}\n'
                 f"{renaming(self.names)}\n{parts}"

@@ -55,6 +55,7 @@ test "$how" = elsewhere || for compiler in gcc clang; do
     "$root/packaging/symbols.sh" | diff - exported || die "exported (>) are not the functions of the header (<)"
 
     test -n "$CXX" || continue
+    ! $CXX -fsyntax-only -x c++ tribox.c 2>log && grep -q 'error.*tribox.c is C' log || die 'as C++ it does not say that it is C'
     echo '#include "tribox.h"
         int main() { return tribox_mask_words(65) != 2 || tribox_fill_join(nullptr, nullptr, 0, nullptr, 0, 0); }' >main.cpp
     $CXX $SANITIZER -std=c++11 -Wall -Wextra -Wpedantic -Werror main.cpp "$compiler.o" -lm -o main
