@@ -16,6 +16,7 @@ states BUILD.md 'GIT_TAG vVERSION\>'
 states BUILD.md 'release.sh vVERSION '
 states packaging/debian/changelog '^tribox (VERSION-'
 states packaging/vcpkg/vcpkg.json '^  "version": "VERSION",$'
+states packaging/rust/Cargo.toml '^version = "VERSION"$'
 states packaging/conda/meta.yaml '^  version: VERSION$'
 states packaging/conda/meta.yaml '/tribox-VERSION.tar.xz$'
 states packaging/debian/control "^Package: libtribox${version%%.*}\$"
