@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes all that is published of a version, from its tag alone and bit for bit again: packaging/release.sh TAG FOLDER, a new one.
-# PARTS are those that are made, all by default: source two_files debian wheels npm windows. They take what tests/run.sh and .ci/run
-# install. OPTIMIZATION=0 builds quickly, for the tests; DEB_BUILD_OPTIONS are those of debian.sh.
+# PARTS are those that are made, all by default: source two_files debian wheels npm rust windows. They take
+# what tests/run.sh and .ci/run install. OPTIMIZATION=0 builds quickly, for the tests; DEB_BUILD_OPTIONS are those of debian.sh.
 set -eu
 umask 022
 export LC_ALL=C TZ=UTC
@@ -68,6 +68,12 @@ make_npm() {
     (cd "$out" && npm pack --silent "$work/npm")
 }
 
+make_rust() {
+    packaging/rust/build.sh "$work/rust"
+    (cd "$work/rust" && CARGO_TARGET_DIR=$work/target cargo package --offline --no-verify)
+    mv "$work"/target/package/*.crate "$out"
+}
+
 make_windows() {
     meson setup "$work/windows" --cross-file tests/cross/windows.ini -Dprefix=/ -Dtests=disabled -Dbench=disabled -Dtools=enabled \
         -Dopenvdb=disabled -Dpython=disabled -Doptimization="${OPTIMIZATION:-3}" -Dc_link_args=-s
@@ -77,7 +83,7 @@ make_windows() {
     zip_of "$name-windows-x64"
 }
 
-for part in ${PARTS:-source two_files debian wheels npm windows}; do
+for part in ${PARTS:-source two_files debian wheels npm rust windows}; do
     "make_$part" >"$work/log" 2>&1
     echo "$part: made"
 done
