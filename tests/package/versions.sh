@@ -12,11 +12,18 @@ states() {
     }
 }
 states CHANGELOG.md '^## VERSION\>'
-states BUILD.md 'GIT_TAG vVERSION\>'
-states BUILD.md 'release.sh vVERSION '
+for page in README.md BUILD.md; do
+    if others=$(grep -onE '\<v[0-9]+(\.[0-9]+){2}\>' $page | grep -v ":v$version\$"); then
+        echo "$page: names other versions than v$version:" $others >&2
+        status=1
+    fi
+done
 states packaging/debian/changelog '^tribox (VERSION-'
 states packaging/vcpkg/vcpkg.json '^  "version": "VERSION",$'
 states packaging/rust/Cargo.toml '^version = "VERSION"$'
+states packaging/conan/conanfile.py '^    version = "VERSION"$'
+states packaging/conan/conanfile.py '/tribox-VERSION.tar.xz"'
+states packaging/homebrew/tribox.rb '/tribox-VERSION.tar.xz"$'
 states packaging/conda/meta.yaml '^  version: VERSION$'
 states packaging/conda/meta.yaml '/tribox-VERSION.tar.xz$'
 states packaging/debian/control "^Package: libtribox${version%%.*}\$"
