@@ -309,7 +309,7 @@ impl Brick {
     /// The cells that are set, as `[i, j, k]` of the grid, by z, then y, then x.
     pub fn cells(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
         let [x, y, z] = self.at.map(|at| 8 * at);
-        (z..).zip(&self.bits).flat_map(move |(k, &word)| bits(word).map(move |b| [x + b % 8, y + b / 8, k]))
+        self.bits.iter().zip(0..).flat_map(move |(&word, k)| bits(word).map(move |b| [x + b % 8, y + b / 8, z + k]))
     }
 }
 
