@@ -59,7 +59,7 @@ fn forms_of_a_mesh() {
     let turned: Vec<[f64; 3]> = positions.iter().map(|&[x, y, z]| [z, x, y]).collect();
     let short: Vec<[u16; 3]> = triangles.iter().map(|t| t.map(|n| n as u16)).collect();
     let soup: Vec<[f64; 3]> = triangles.iter().flatten().map(|&n| positions[n as usize]).collect();
-    let aabb = Aabb { lo: [0.0, 0.1, 0.2], hi: [0.3, 0.4, 0.1 + 0.2] };
+    let aabb = Aabb { lo: [0.0, 0.1, 1.2], hi: [0.3, 0.4, 1.3] }; // at one edge, along z
     let expected = exact(&Mesh::new(&positions, &triangles), &aabb);
     assert!(!expected.is_empty() && expected.len() < 12);
     for mesh in [
@@ -78,7 +78,7 @@ fn forms_of_a_mesh() {
     assert!(catch_unwind(|| Mesh::new(&[[0f32; 0]; 9], &[[0u32; 3]])).is_err());
     assert!(catch_unwind(|| Mesh::unindexed(&[[0f64; 3]; 4])).is_err());
     assert!(exact(&Mesh::unindexed::<f32, 3>(&[]), &aabb).is_empty());
-    let many = vec![[0.25f32; 3]; 3 * 130];
+    let many = vec![[0.25f32, 0.25, 1.25]; 3 * 130];
     let mesh = Mesh::unindexed(&many);
     thread::scope(|scope| {
         for _ in 0..2 {
