@@ -64,7 +64,7 @@ int part_open(part *p, const char *path)
 }
 
 /* Not called, as part_open refuses. */
-int part_read(part *p, unsigned threads, part_take *take, void *data)
+int part_read(part *p, unsigned threads, part_taker *take, void *data)
 {
     (void)threads, (void)take, (void)data;
     return part_open(p, p->path);

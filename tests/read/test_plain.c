@@ -1,6 +1,6 @@
 /*
  * test_plain.c - whatever the fast way reads, the way that knows every spelling reads as well, and both make the same mesh, bit for
- * bit: for any number of threads, and parts of a text that begin at any byte.
+ * bit: for any number of threads, and chunks of a text that begin at any byte.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <setjmp.h>
@@ -30,19 +30,19 @@ static void write_file(const char *name, const void *bytes, size_t size)
 }
 
 /* Reads the last file each way. Returns whether the fast way did. */
-static bool compare(const mesh *slow, int code, bool is_wide, unsigned threads, size_t part)
+static bool compare(const mesh *slow, int code, bool is_wide, unsigned threads, size_t chunk)
 {
     mesh plain = {.coordinates = NULL};
-    const bool is_plain = mesh_read_plain(path, is_wide, threads, part, &plain);
+    const bool is_plain = mesh_read_plain(path, is_wide, threads, chunk, &plain);
     if (is_plain && (code || !mesh_is_same(&plain, slow) || !mesh_is_looked_at_well(&plain)))
-        fail_msg("%s: %u threads and parts of %zu bytes make another mesh", path, threads, part);
+        fail_msg("%s: %u threads and chunks of %zu bytes make another mesh", path, threads, chunk);
     mesh_free(&plain);
     return is_plain;
 }
 
-typedef enum due { SLOWLY, FAST, EITHER /* as the parts fall */ } due;
+typedef enum due { SLOWLY, FAST, EITHER /* as the chunks fall */ } due;
 
-/* With parts of every size up to that of the text, and threads. */
+/* With chunks of every size up to that of the text, and threads. */
 static void check(const char *name, const char *text, size_t size, due how)
 {
     static const unsigned threads[] = {1, 2, 7};
@@ -50,10 +50,10 @@ static void check(const char *name, const char *text, size_t size, due how)
     for (int is_wide = 0; is_wide < 2; is_wide++) {
         mesh slow = {.coordinates = NULL};
         const int code = mesh_read_slowly(path, is_wide, 1, &slow);
-        for (size_t part = 1; part <= size + 1; part += 1 + part / 31)
+        for (size_t chunk = 1; chunk <= size + 1; chunk += 1 + chunk / 31)
             for (int t = 0; t < 3; t++)
-                if (compare(&slow, code, is_wide, threads[t], part) != (how == FAST) && how != EITHER)
-                    fail_msg("%s: %u threads and parts of %zu bytes: read %s\n%.300s", path, threads[t], part,
+                if (compare(&slow, code, is_wide, threads[t], chunk) != (how == FAST) && how != EITHER)
+                    fail_msg("%s: %u threads and chunks of %zu bytes: read %s\n%.300s", path, threads[t], chunk,
                              how == FAST ? "slowly" : "fast", text);
         mesh_free(&slow);
     }
@@ -89,7 +89,7 @@ static const struct {
 } rows[] = {
     {"a.obj",
      "# a comment\nmtllib x.mtl\nv 0 0 0\nv 1 0 0\nv\t0.1 1e-3\t-2\nvn 0 0 1\nvt 1 1\nf 1 2 3\n\nf 1/1 2/2 3/3 \n"
-     "f 1//1 2//1 3//1\n  f -1 -2 -3\ng part\nf 1/1/1 3/3/1 2/2/1\n",
+     "f 1//1 2//1 3//1\n  f -1 -2 -3\ng chunk\nf 1/1/1 3/3/1 2/2/1\n",
      FAST},
     {"a.obj", "f 1 2 3\nf 2 4 3\nv 0 0 0\nv 557820.15 5 1\nv -0 1.0000000000000002 1\nv 9007199254740993 1 1 0.5 0.5\np 1\nl 1 2\n",
      FAST},

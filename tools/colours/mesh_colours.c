@@ -9,7 +9,7 @@
 #include "console/system.h"
 #include "console/message.h"
 #include "files/files.h"
-#include "read/assimp_part.h"
+#include "read/assimp_plugin.h"
 #include "read/mesh.h"
 #include "read/scan.h"
 

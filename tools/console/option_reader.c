@@ -87,7 +87,7 @@ static bool is_option(const option_entry *table, const char *word)
 }
 
 /* Into the request by the table, or as the command takes it. */
-static int take_option(const option_entry *table, int i, option_take *take, void *request)
+static int take_option(const option_entry *table, int i, option_taker *take, void *request)
 {
     if (table[i].takes <= true)
         return take(request, i, optarg);
@@ -100,13 +100,14 @@ static int take_option(const option_entry *table, int i, option_take *take, void
 }
 
 /* The words before it have been read. */
-static int take_operand(char **words, char *operand, option_take *take, void *request, options_found *found)
+static int take_operand(char **words, char *operand, option_taker *take, void *request, options_found *found)
 {
     words[1 + found->count++] = operand;
     return take(request, OPTION_OPERAND, operand);
 }
 
-static int take_one(const option_entry *table, int number, const char *word, option_take *take, void *request, options_found *found)
+static int take_one(const option_entry *table, int number, const char *word, option_taker *take, void *request,
+                    options_found *found)
 {
     const int i = option_of(table, number);
     if (options_has(found, i))
@@ -117,7 +118,7 @@ static int take_one(const option_entry *table, int number, const char *word, opt
     return take_option(table, i, take, request);
 }
 
-int options_read(int count, char **words, const option_entry *table, option_take *take, void *request, options_found *found)
+int options_read(int count, char **words, const option_entry *table, option_taker *take, void *request, options_found *found)
 {
     getopt_tables tables;
     int code = EXIT_CODE_OK, number;

@@ -10,7 +10,7 @@
 typedef struct option_entry {
     const char *name; /* "json", without the dashes */
     char letter;      /* 'j' for -j; 0 for none */
-    size_t takes;     /* false or true: whether it has a value, for option_take; or one of what follows */
+    size_t takes;     /* false or true: whether it has a value, for option_taker; or one of what follows */
 } option_entry;
 
 /* A member of the request that the option sets, a bool, or that its value goes to, a const char *. */
@@ -23,7 +23,7 @@ enum { OPTION_OPERAND = -1 };
  * Takes option `which` of the table with its value, if it has one, or OPTION_OPERAND with the operand, into a request.
  * Returns an exit_code.
  */
-typedef int option_take(void *request, int which, const char *value);
+typedef int option_taker(void *request, int which, const char *value);
 
 typedef struct options_found {
     uint64_t seen;               /* bit i: option i of the table was given */
@@ -36,7 +36,7 @@ typedef struct options_found {
  * Takes everything after words[0]. Options and operands come in any order, each option at most once; "--" ends the options.
  * Stops at the first word that is wrong. Returns an exit_code, EXIT_CODE_USAGE after a line on standard error.
  */
-int options_read(int count, char **words, const option_entry *table, option_take *take, void *request, options_found *found);
+int options_read(int count, char **words, const option_entry *table, option_taker *take, void *request, options_found *found);
 
 static inline bool options_has(const options_found *found, int which) { return found->seen >> which & 1; }
 

@@ -18,7 +18,7 @@
 typedef struct options_command {
     const char *help;
     const option_entry *table;
-    option_take *take;
+    option_taker *take;
     int (*answer)(void *request, const options_found *found); /* returns an exit_code */
 } options_command;
 

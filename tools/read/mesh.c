@@ -62,9 +62,9 @@ int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
     return code;
 }
 
-bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t part_bytes, mesh *m)
+bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t chunk_bytes, mesh *m)
 {
-    plain_file file = {.path = path, .threads = threads, .is_wide = is_wide, .part_bytes = part_bytes};
+    plain_file file = {.path = path, .threads = threads, .is_wide = is_wide, .chunk_bytes = chunk_bytes};
     plain_reader *const read = plain_file_open(path, &file) ? find_plain_reader(path, &file) : NULL;
     const bool is_read = read && read(&file, m);
     plain_file_close(&file);
@@ -75,8 +75,8 @@ bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t pa
 
 static int read_whole(const char *path, bool is_wide, unsigned threads, mesh *m)
 {
-    return mesh_read_plain(path, is_wide, threads, PLAIN_PART_BYTES, m) ? EXIT_CODE_OK
-                                                                        : mesh_read_slowly(path, is_wide, threads, m);
+    return mesh_read_plain(path, is_wide, threads, PLAIN_CHUNK_BYTES, m) ? EXIT_CODE_OK
+                                                                         : mesh_read_slowly(path, is_wide, threads, m);
 }
 
 static int read_mesh(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh *m)

@@ -118,7 +118,7 @@ void mesh_round(const double origin[3], mesh *m);
 /* Reads a file of a format that libassimp knows, and applies the transforms of its scene. Returns an exit_code. */
 int read_by_assimp(const char *path, mesh *m);
 
-/* The colours of such a file's triangles, so many, as assimp_part.h has them. Returns an exit_code. */
+/* The colours of such a file's triangles, so many, as assimp_plugin.h has them. Returns an exit_code. */
 struct assimp_colours;
 int read_colours_by_assimp(const char *path, size_t triangles, float (*of)[3], struct assimp_colours *found);
 
@@ -129,7 +129,7 @@ int mesh_read_triangles(triangle_file *file, unsigned threads, mesh *m);
  * The two ways to read a whole file, which tests compare. The fast one returns false, with nothing said and nothing to be freed,
  * where the file is not plain (plain.h); the other knows every spelling, and says what is wrong with a file.
  */
-bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t part_bytes, mesh *m);
+bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t chunk_bytes, mesh *m);
 int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m);
 
 /* The bounds of its finite triangles; false where there are none. */

@@ -13,7 +13,7 @@
 #include "mesh_file.h"
 
 /* Of a text, for each thread at a time: they stay in its cache. Tests take fewer. */
-enum { PLAIN_PART_BYTES = 1 << 18 };
+enum { PLAIN_CHUNK_BYTES = 1 << 18 };
 
 typedef struct plain_file {
     const char *path; /* for messages that memory fails */
@@ -22,7 +22,7 @@ typedef struct plain_file {
     whole_file head; /* as much as a header may have */
     unsigned threads;
     bool is_wide; /* numbers of a text stay doubles */
-    size_t part_bytes;
+    size_t chunk_bytes;
 } plain_file;
 
 /* Opens a regular file; false, and silence, where that fails. plain_file_close may follow in any case. */
@@ -36,27 +36,27 @@ plain_reader plain_ply, plain_obj, plain_stl;
 /* PLY as text, of a file that has vertices, then faces, and nothing else. */
 bool plain_ply_text(const plain_file *file, const ply_header *header, mesh *m);
 
-/* A text as a mesh: threads read its lines in parts, whose vertices and faces are joined in the order of the file. */
+/* A text as a mesh: threads read its lines in chunks, whose vertices and faces are joined in the order of the file. */
 
-/* A corner whose vertex is counted from the part's first: a place in `corners`, and the vertex, which may be before that. */
+/* A corner whose vertex is counted from the chunk's first: a place in `corners`, and the vertex, which may be before that. */
 typedef struct text_relative {
     size_t corner;
     int64_t vertex;
 } text_relative;
 
 /*
- * The lines that begin between two places of the file: part 0 begins where the text does. After the file's last line, which a line
+ * The lines that begin between two places of the file: chunk 0 begins where the text does. After the file's last line, which a line
  * end is put to, come zeros: TEXT_AHEAD bytes may be looked at from anywhere before `end`.
  */
-typedef struct text_part {
+typedef struct text_chunk {
     size_t number;
     const char *begin, *limit; /* of the lines; begin == limit where none begins here */
-    const char *end;           /* of what is there of the next parts' lines */
+    const char *end;           /* of what is there of the next chunks' lines */
     bool is_last;              /* the file ends at `end` */
     uint64_t offset;           /* of begin in the file */
     uint64_t first_line;       /* counted from 0, where they are counted */
 
-    /* What is found there, in lists with room for all that a part may have. */
+    /* What is found there, in lists with room for all that a chunk may have. */
     double *positions;
     uint32_t *corners; /* of all faces, one after another */
     uint32_t *sizes;   /* how many each face has */
@@ -68,9 +68,9 @@ typedef struct text_part {
     uint64_t facets_begin, facets_end; /* of STL: where in the file they do; 0: none begins here */
     bool is_inside;                    /* of STL: a solid, where they end */
     char bytes[];
-} text_part;
+} text_chunk;
 
-enum { TEXT_AHEAD = 64, TEXT_OVERLAP = 8192 /* bytes of the parts after it that a part has, so that no line may be longer */ };
+enum { TEXT_AHEAD = 64, TEXT_OVERLAP = 8192 /* bytes of the chunks after it that a chunk has, so that no line may be longer */ };
 
 /* A list that grows. */
 typedef struct text_list {
@@ -80,13 +80,13 @@ typedef struct text_list {
 
 typedef struct text {
     const plain_file *file;
-    uint64_t from;                                       /* where its lines begin */
-    bool are_counted;                                    /* the lines */
-    bool has_no_faces;                                   /* each three vertices are a triangle */
-    bool (*read)(const struct text *t, text_part *part); /* of threads at once; false: not plain */
-    bool (*join)(struct text *t, const text_part *part); /* of the parts in their order; may be NULL */
-    const ply_element *of_vertices, *of_faces;           /* of PLY */
-    uint64_t facets_end;                                 /* of STL, of the parts that are joined, as theirs */
+    uint64_t from;                                         /* where its lines begin */
+    bool are_counted;                                      /* the lines */
+    bool has_no_faces;                                     /* each three vertices are a triangle */
+    bool (*read)(const struct text *t, text_chunk *chunk); /* of threads at once; false: not plain */
+    bool (*join)(struct text *t, const text_chunk *chunk); /* of the chunks in their order; may be NULL */
+    const ply_element *of_vertices, *of_faces;             /* of PLY */
+    uint64_t facets_end;                                   /* of STL, of the chunks that are joined, as theirs */
     bool is_inside;
 
     text_list positions, corners, sizes;
@@ -102,7 +102,7 @@ bool text_make(text *t, mesh *m);
 void text_free(text *t);
 
 /* Adds a face of the last `size` corners. */
-static inline void text_add_face(uint32_t size, text_part *part) { part->sizes[part->faces++] = size; }
+static inline void text_add_face(uint32_t size, text_chunk *chunk) { chunk->sizes[chunk->faces++] = size; }
 
 static inline bool text_is_blank(char c) { return c == ' ' || c == '\t'; }
 

@@ -1,6 +1,6 @@
 /*
  * plain_text.c - OBJ: lines "v X Y Z" and "f A B C ...", with A, A/T, A//N or A/T/N, and others, which count for nothing. PLY: a
- * line for each vertex, then for each face, which begins with the list of its corners. STL in lower case: parts begin with a facet.
+ * line for each vertex, then for each face, which begins with the list of its corners. STL in lower case: chunks begin at a facet.
  */
 #include <string.h>
 
@@ -14,14 +14,14 @@ static const char *skip_space(const char *c)
 }
 
 /* Three numbers, which may stand on several lines or not. */
-static inline const char *take_position(const char *c, bool has_lines, text_part *part)
+static inline const char *take_position(const char *c, bool has_lines, text_chunk *chunk)
 {
-    double *const position = part->positions + 3 * part->vertices;
+    double *const position = chunk->positions + 3 * chunk->vertices;
     for (int a = 0; c && a < 3; a++) {
-        c = written_number_scan(has_lines ? skip_space(c) : text_skip_blanks(c), &position[a], &part->fit);
+        c = written_number_scan(has_lines ? skip_space(c) : text_skip_blanks(c), &position[a], &chunk->fit);
         c = c && text_ends_word(*c) ? c : NULL;
     }
-    part->vertices++;
+    chunk->vertices++;
     return c;
 }
 
@@ -57,7 +57,7 @@ static const char *skip_slashes(const char *c)
     return c;
 }
 
-static const char *read_corner(const char *c, text_part *part)
+static const char *read_corner(const char *c, text_chunk *chunk)
 {
     const bool is_relative = *c == '-';
     uint64_t number = 0;
@@ -65,30 +65,30 @@ static const char *read_corner(const char *c, text_part *part)
     if (end == first || end > first + 10 || !number || number > UINT32_MAX)
         return NULL;
     if (is_relative) {
-        const int64_t vertex = (int64_t)part->vertices - (int64_t)number;
-        part->relatives[part->relative_count++] = (text_relative){part->corner_count, vertex};
-    } else if (number - 1 > part->highest) {
-        part->highest = (uint32_t)(number - 1);
+        const int64_t vertex = (int64_t)chunk->vertices - (int64_t)number;
+        chunk->relatives[chunk->relative_count++] = (text_relative){chunk->corner_count, vertex};
+    } else if (number - 1 > chunk->highest) {
+        chunk->highest = (uint32_t)(number - 1);
     }
-    part->corners[part->corner_count++] = (uint32_t)(number - 1);
+    chunk->corners[chunk->corner_count++] = (uint32_t)(number - 1);
     return *end == '/' ? skip_slashes(end) : end;
 }
 
-static const char *read_obj_face(const char *c, text_part *part)
+static const char *read_obj_face(const char *c, text_chunk *chunk)
 {
-    const size_t before = part->corner_count;
+    const size_t before = chunk->corner_count;
     for (c = text_skip_blanks(c); c && *c != '\n' && *c != '\r'; c = c ? text_skip_blanks(c) : NULL) {
-        c = read_corner(c, part);
+        c = read_corner(c, chunk);
         if (c && !text_ends_word(*c))
             return NULL;
     }
-    if (!c || part->corner_count == before)
+    if (!c || chunk->corner_count == before)
         return NULL;
-    text_add_face((uint32_t)(part->corner_count - before), part);
+    text_add_face((uint32_t)(chunk->corner_count - before), chunk);
     return text_end_line(c);
 }
 
-static const char *read_obj_line(const char *c, const char *limit, text_part *part)
+static const char *read_obj_line(const char *c, const char *limit, text_chunk *chunk)
 {
     c = text_skip_blanks(c);
     const char lower = (char)(*c | 0x20);
@@ -96,25 +96,25 @@ static const char *read_obj_line(const char *c, const char *limit, text_part *pa
         return NULL;
     const bool is_known = lower == 'v' || lower == 'f' || lower == 'l' || lower == 'p';
     if (*c == 'v' && text_is_blank(c[1])) {
-        c = take_position(c + 1, false, part);
+        c = take_position(c + 1, false, chunk);
         return c ? skip_line(c, limit) : NULL;
     }
     if (*c == 'f' && text_is_blank(c[1]))
-        return read_obj_face(c + 1, part);
+        return read_obj_face(c + 1, chunk);
     if (is_known && !(c[1] >= 'a' && c[1] <= 'z')) {
         if ((*c != 'l' && *c != 'p') || !text_is_blank(c[1]))
             return NULL;
-        part->left_out++;
+        chunk->left_out++;
     }
     return skip_line(c, limit);
 }
 
-static bool read_obj_lines(const text *t, text_part *part)
+static bool read_obj_lines(const text *t, text_chunk *chunk)
 {
-    const char *c = part->begin;
+    const char *c = chunk->begin;
     (void)t;
-    while (c && c < part->limit)
-        c = read_obj_line(c, part->limit, part);
+    while (c && c < chunk->limit)
+        c = read_obj_line(c, chunk->limit, chunk);
     return c;
 }
 
@@ -126,24 +126,24 @@ bool plain_obj(const plain_file *file, mesh *m)
     return is_read;
 }
 
-static const char *take_coordinate(const char *c, const ply_property *property, text_part *part)
+static const char *take_coordinate(const char *c, const ply_property *property, text_chunk *chunk)
 {
-    double *const number = part->positions + 3 * part->vertices + property->role;
-    float_fit own = part->fit;
-    c = written_number_scan(c, number, property->type == PLY_DOUBLE ? &own : &part->fit);
-    if (property->type == PLY_DOUBLE && c && float_fit_of(*number) > part->fit)
-        part->fit = FLOAT_FIT_NONE;
+    double *const number = chunk->positions + 3 * chunk->vertices + property->role;
+    float_fit own = chunk->fit;
+    c = written_number_scan(c, number, property->type == PLY_DOUBLE ? &own : &chunk->fit);
+    if (property->type == PLY_DOUBLE && c && float_fit_of(*number) > chunk->fit)
+        chunk->fit = FLOAT_FIT_NONE;
     return c && text_ends_word(*c) ? c : NULL;
 }
 
-static const char *read_ply_vertex(const char *c, const text *t, text_part *part)
+static const char *read_ply_vertex(const char *c, const text *t, text_chunk *chunk)
 {
     const ply_element *const e = t->of_vertices;
     for (int i = 0; c && i < e->property_count; i++) {
         c = text_skip_blanks(c);
-        c = e->properties[i].role <= PLY_Z ? take_coordinate(c, &e->properties[i], part) : skip_word(c);
+        c = e->properties[i].role <= PLY_Z ? take_coordinate(c, &e->properties[i], chunk) : skip_word(c);
     }
-    part->vertices++;
+    chunk->vertices++;
     return c ? text_end_line(c) : NULL;
 }
 
@@ -155,29 +155,29 @@ static const char *take_whole(const char *c, uint64_t most, uint32_t *number)
     return end > first && end <= first + 10 && found <= most && text_ends_word(*end) ? end : NULL;
 }
 
-static const char *read_ply_face(const char *c, const text *t, text_part *part)
+static const char *read_ply_face(const char *c, const text *t, text_chunk *chunk)
 {
     uint32_t size;
     c = take_whole(c, UINT32_MAX, &size);
     for (uint32_t i = 0; c && i < size; i++) {
-        uint32_t *const corner = &part->corners[part->corner_count++];
+        uint32_t *const corner = &chunk->corners[chunk->corner_count++];
         c = take_whole(c, t->of_vertices->count - 1, corner);
     }
-    text_add_face(size, part);
+    text_add_face(size, chunk);
     for (int i = 1; c && i < t->of_faces->property_count; i++)
         c = skip_word(text_skip_blanks(c));
     return c ? text_end_line(c) : NULL;
 }
 
-static bool read_ply_lines(const text *t, text_part *part)
+static bool read_ply_lines(const text *t, text_chunk *chunk)
 {
     const uint64_t vertices = t->of_vertices->count, all = vertices + t->of_faces->count;
-    const char *c = part->begin;
-    uint64_t line = part->first_line;
-    for (; c && c < part->limit && line < vertices; line++)
-        c = read_ply_vertex(c, t, part);
-    for (; c && c < part->limit && line < all; line++)
-        c = read_ply_face(c, t, part);
+    const char *c = chunk->begin;
+    uint64_t line = chunk->first_line;
+    for (; c && c < chunk->limit && line < vertices; line++)
+        c = read_ply_vertex(c, t, chunk);
+    for (; c && c < chunk->limit && line < all; line++)
+        c = read_ply_face(c, t, chunk);
     return c;
 }
 
@@ -228,14 +228,14 @@ static const char *skip_name(const char *c, const char *end)
 }
 
 /* What follows "facet". */
-static const char *read_facet(const char *c, text_part *part)
+static const char *read_facet(const char *c, text_chunk *chunk)
 {
     c = expect(c, "normal");
     for (int a = 0; c && a < 3; a++)
         c = skip_word(skip_space(c));
     c = expect(expect(c, "outer"), "loop");
     for (int v = 0; c && v < 3; v++)
-        c = take_position(expect(c, "vertex"), true, part);
+        c = take_position(expect(c, "vertex"), true, chunk);
     return expect(expect(c, "endloop"), "endfacet");
 }
 
@@ -252,52 +252,52 @@ static const char *find_facet(const char *c, const char *limit)
     return NULL;
 }
 
-/* Reads up to the first facet after the part's lines, or the end of the file. Returns where it stopped; NULL: not plain. */
-static const char *read_items(const char *c, text_part *part)
+/* Reads up to the first facet after the chunk's lines, or the end of the file. Returns where it stopped; NULL: not plain. */
+static const char *read_items(const char *c, text_chunk *chunk)
 {
     const char *next;
     for (;;) {
         c = skip_space(c);
-        if (c >= part->end)
-            return part->is_last ? c : NULL;
-        if (part->is_inside && (next = expect(c, "facet"))) {
-            if (c >= part->limit)
+        if (c >= chunk->end)
+            return chunk->is_last ? c : NULL;
+        if (chunk->is_inside && (next = expect(c, "facet"))) {
+            if (c >= chunk->limit)
                 return c;
-            next = read_facet(next, part);
+            next = read_facet(next, chunk);
         } else {
-            next = expect(c, part->is_inside ? "endsolid" : "solid");
-            next = next ? skip_name(next, part->end) : NULL;
-            part->is_inside = !part->is_inside;
+            next = expect(c, chunk->is_inside ? "endsolid" : "solid");
+            next = next ? skip_name(next, chunk->end) : NULL;
+            chunk->is_inside = !chunk->is_inside;
         }
         c = next;
-        if (!c || (c >= part->end && !part->is_last))
+        if (!c || (c >= chunk->end && !chunk->is_last))
             return NULL;
     }
 }
 
-static bool read_facets(const text *t, text_part *part)
+static bool read_facets(const text *t, text_chunk *chunk)
 {
-    const char *const begin = part->number ? find_facet(part->begin, part->limit) : part->begin;
+    const char *const begin = chunk->number ? find_facet(chunk->begin, chunk->limit) : chunk->begin;
     (void)t;
     if (!begin)
         return true;
-    part->is_inside = part->number;
-    const char *const end = read_items(begin, part);
+    chunk->is_inside = chunk->number;
+    const char *const end = read_items(begin, chunk);
     if (!end)
         return false;
-    part->facets_begin = part->offset + (uint64_t)(begin - part->begin);
-    part->facets_end = part->offset + (uint64_t)(end - part->begin);
+    chunk->facets_begin = chunk->offset + (uint64_t)(begin - chunk->begin);
+    chunk->facets_end = chunk->offset + (uint64_t)(end - chunk->begin);
     return true;
 }
 
-/* The facets of a part have to begin where those before them end, in a solid. */
-static bool join_facets(text *t, const text_part *part)
+/* The facets of a chunk have to begin where those before them end, in a solid. */
+static bool join_facets(text *t, const text_chunk *chunk)
 {
-    if (!part->facets_end)
+    if (!chunk->facets_end)
         return true;
-    const bool is_joined = !part->number || (part->facets_begin == t->facets_end && t->is_inside);
-    t->facets_end = part->facets_end;
-    t->is_inside = part->is_inside;
+    const bool is_joined = !chunk->number || (chunk->facets_begin == t->facets_end && t->is_inside);
+    t->facets_end = chunk->facets_end;
+    t->is_inside = chunk->is_inside;
     return is_joined;
 }
 

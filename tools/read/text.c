@@ -1,5 +1,5 @@
 /*
- * text.c - parts are read with a little of what follows, for the lines that begin in each. What threads find there is put together
+ * text.c - chunks are read with a little of what follows, for the lines that begin in each. What threads find there is put together
  * in the order of the file; when all is there polygons are cut, by threads again.
  */
 #include "plain.h"
@@ -36,89 +36,89 @@ static uint64_t count_lines(const char *c, const char *end)
 
 typedef struct text_run {
     text *t;
-    size_t count; /* of the parts */
+    size_t count; /* of the chunks */
     uint64_t lines;
     bool is_failed;
 } text_run;
 
-static void free_part(void *place)
+static void free_chunk(void *place)
 {
-    text_part *const part = place;
-    free(part->positions);
-    free(part->corners);
-    free(part->sizes);
-    free(part->relatives);
-    free(part);
+    text_chunk *const chunk = place;
+    free(chunk->positions);
+    free(chunk->corners);
+    free(chunk->sizes);
+    free(chunk->relatives);
+    free(chunk);
 }
 
 /* A vertex takes six bytes of text, "0 0 0" and a blank; a corner or a face two, a relative corner three, "-1". */
-static void *make_part(void *data)
+static void *make_chunk(void *data)
 {
     const text_run *const r = data;
-    const size_t bytes = 1 + r->t->file->part_bytes + TEXT_OVERLAP + TEXT_AHEAD;
-    text_part *const part = malloc(sizeof *part + bytes + 1);
-    if (!part)
+    const size_t bytes = 1 + r->t->file->chunk_bytes + TEXT_OVERLAP + TEXT_AHEAD;
+    text_chunk *const chunk = malloc(sizeof *chunk + bytes + 1);
+    if (!chunk)
         return NULL;
-    *part = (text_part){.positions = malloc((bytes / 6 + 1) * sizeof(double[3])),
-                        .corners = malloc((bytes / 2 + 1) * sizeof *part->corners),
-                        .sizes = malloc((bytes / 2 + 1) * sizeof *part->sizes),
-                        .relatives = malloc((bytes / 3 + 1) * sizeof *part->relatives)};
-    if (part->positions && part->corners && part->sizes && part->relatives)
-        return part;
-    free_part(part);
+    *chunk = (text_chunk){.positions = malloc((bytes / 6 + 1) * sizeof(double[3])),
+                          .corners = malloc((bytes / 2 + 1) * sizeof *chunk->corners),
+                          .sizes = malloc((bytes / 2 + 1) * sizeof *chunk->sizes),
+                          .relatives = malloc((bytes / 3 + 1) * sizeof *chunk->relatives)};
+    if (chunk->positions && chunk->corners && chunk->sizes && chunk->relatives)
+        return chunk;
+    free_chunk(chunk);
     return NULL;
 }
 
-/* The part begins a byte early, which says whether a line does. */
-static bool load_lines(const text_run *r, text_part *part)
+/* The chunk begins a byte early, which says whether a line does. */
+static bool load_lines(const text_run *r, text_chunk *chunk)
 {
     const plain_file *const file = r->t->file;
-    const size_t early = part->number > 0, bytes = file->part_bytes;
-    const uint64_t start = r->t->from + (uint64_t)part->number * bytes - early;
-    char *const room = part->bytes;
+    const size_t early = chunk->number > 0, bytes = file->chunk_bytes;
+    const uint64_t start = r->t->from + (uint64_t)chunk->number * bytes - early;
+    char *const room = chunk->bytes;
     size_t got;
     if (!named_file_read_at(file->stream, start, room, early + bytes + TEXT_OVERLAP, &got) || got < early)
         return false;
-    part->is_last = start + got >= file->size;
+    chunk->is_last = start + got >= file->size;
     const char *const own_end = room + (got < bytes + early ? got : bytes + early), *begin = room;
     room[got] = '\n';
-    part->end = room + got + (part->is_last && got && room[got - 1] != '\n');
+    chunk->end = room + got + (chunk->is_last && got && room[got - 1] != '\n');
     memset(room + got + 1, 0, TEXT_AHEAD);
     if (early)
         begin = after_line(room, own_end - 1);
-    part->limit = after_line(own_end - 1, room + got);
-    if (!part->limit && part->is_last)
-        part->limit = part->end;
-    part->begin = begin ? begin : part->limit;
-    part->offset = part->begin ? start + (uint64_t)(part->begin - room) : 0;
-    return part->limit || !begin;
+    chunk->limit = after_line(own_end - 1, room + got);
+    if (!chunk->limit && chunk->is_last)
+        chunk->limit = chunk->end;
+    chunk->begin = begin ? begin : chunk->limit;
+    chunk->offset = chunk->begin ? start + (uint64_t)(chunk->begin - room) : 0;
+    return chunk->limit || !begin;
 }
 
-static bool find_part(void *data, void *place, size_t n)
+static bool find_chunk(void *data, void *place, size_t n)
 {
     text_run *const r = data;
-    text_part *const part = place;
+    text_chunk *const chunk = place;
     if (n == r->count)
         return false;
     reading_tell((double)n / (double)r->count);
-    part->number = n;
-    part->vertices = part->corner_count = part->faces = part->relative_count = part->left_out = 0;
-    part->fit = FLOAT_FIT_EXACT;
-    part->highest = 0;
-    part->facets_end = 0;
-    r->is_failed = !load_lines(r, part);
-    part->first_line = r->lines;
+    chunk->number = n;
+    chunk->vertices = chunk->corner_count = chunk->faces = chunk->relative_count = chunk->left_out = 0;
+    chunk->fit = FLOAT_FIT_EXACT;
+    chunk->highest = 0;
+    chunk->facets_end = 0;
+    r->is_failed = !load_lines(r, chunk);
+    chunk->first_line = r->lines;
     if (!r->is_failed && r->t->are_counted)
-        r->lines += count_lines(part->begin, part->limit);
+        r->lines += count_lines(chunk->begin, chunk->limit);
     return !r->is_failed;
 }
 
-static int read_part(void *data, void *place, size_t n)
+static int read_chunk(void *data, void *place, size_t n)
 {
     const text_run *const r = data;
-    text_part *const part = place;
+    text_chunk *const chunk = place;
     (void)n;
-    return part->begin == part->limit || r->t->read(r->t, part) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+    return chunk->begin == chunk->limit || r->t->read(r->t, chunk) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
 }
 
 /* False where there is no memory. */
@@ -135,47 +135,47 @@ static bool add(const void *from, size_t count, size_t each, text_list *to)
 }
 
 /* Those that are counted from the vertices before them get their numbers. */
-static bool number_relatives(const text_part *part, uint64_t vertices_before)
+static bool number_relatives(const text_chunk *chunk, uint64_t vertices_before)
 {
     bool is_sound = true;
-    for (size_t i = 0; i < part->relative_count; i++) {
-        const int64_t vertex = (int64_t)vertices_before + part->relatives[i].vertex;
+    for (size_t i = 0; i < chunk->relative_count; i++) {
+        const int64_t vertex = (int64_t)vertices_before + chunk->relatives[i].vertex;
         is_sound &= vertex >= 0;
-        part->corners[part->relatives[i].corner] = (uint32_t)vertex;
+        chunk->corners[chunk->relatives[i].corner] = (uint32_t)vertex;
     }
     return is_sound;
 }
 
-static int join_part(void *data, void *place, size_t n)
+static int join_chunk(void *data, void *place, size_t n)
 {
     text *const t = ((text_run *)data)->t;
-    const text_part *const part = place;
+    const text_chunk *const chunk = place;
     (void)n;
-    for (size_t i = 0; i < part->faces; i++)
-        t->has_polygons |= part->sizes[i] != 3;
-    t->fit = part->fit > t->fit ? part->fit : t->fit;
-    t->highest = part->highest > t->highest ? part->highest : t->highest;
-    t->left_out += part->left_out;
-    const bool is_joined = (!t->join || t->join(t, part)) && number_relatives(part, t->positions.count) &&
-                           add(part->positions, part->vertices, sizeof(double[3]), &t->positions) &&
-                           add(part->corners, part->corner_count, sizeof *part->corners, &t->corners) &&
-                           add(part->sizes, part->faces, sizeof *part->sizes, &t->sizes);
+    for (size_t i = 0; i < chunk->faces; i++)
+        t->has_polygons |= chunk->sizes[i] != 3;
+    t->fit = chunk->fit > t->fit ? chunk->fit : t->fit;
+    t->highest = chunk->highest > t->highest ? chunk->highest : t->highest;
+    t->left_out += chunk->left_out;
+    const bool is_joined = (!t->join || t->join(t, chunk)) && number_relatives(chunk, t->positions.count) &&
+                           add(chunk->positions, chunk->vertices, sizeof(double[3]), &t->positions) &&
+                           add(chunk->corners, chunk->corner_count, sizeof *chunk->corners, &t->corners) &&
+                           add(chunk->sizes, chunk->faces, sizeof *chunk->sizes, &t->sizes);
     return is_joined && t->positions.count <= UINT32_MAX ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
 }
 
 bool text_read(text *t)
 {
     const plain_file *const file = t->file;
-    const uint64_t count = (file->size - t->from + file->part_bytes - 1) / file->part_bytes;
+    const uint64_t count = (file->size - t->from + file->chunk_bytes - 1) / file->chunk_bytes;
     text_run r = {.t = t, .count = count < SIZE_MAX ? (size_t)count : SIZE_MAX};
     const crew_work work = {.threads = file->threads < r.count ? file->threads : (unsigned)r.count,
                             .each = 2,
                             .is_told_in_order = true,
-                            .begin = make_part,
-                            .end = free_part,
-                            .find = find_part,
-                            .step = read_part,
-                            .tell = join_part};
+                            .begin = make_chunk,
+                            .end = free_chunk,
+                            .find = find_chunk,
+                            .step = read_chunk,
+                            .tell = join_chunk};
     reading_begin();
     const int code = crew_do(&work, &r);
     reading_end();
@@ -215,7 +215,7 @@ static bool find_block(void *data, void *place, size_t n)
     cutting *const c = data;
     face_block *const b = place;
     const uint32_t *const sizes = c->t->sizes.of;
-    const size_t left = c->t->sizes.count - c->faces, most = 1 + c->t->file->part_bytes / 64;
+    const size_t left = c->t->sizes.count - c->faces, most = 1 + c->t->file->chunk_bytes / 64;
     (void)n;
     b->first = c->faces;
     b->count = left < most ? left : most;

@@ -58,9 +58,9 @@ int part_open(part *p, const char *path);
 int part_join(part *parts, size_t count);
 
 /* Takes a brick and the ids of its set cells; NULL where they have none. Returns an exit_code, which ends the reading. */
-typedef int part_take(void *data, const part_brick *brick, const uint32_t *ids);
+typedef int part_taker(void *data, const part_brick *brick, const uint32_t *ids);
 
 /* Reads a part to its end, in little memory, and refuses one that is damaged: what was taken until then is void. */
-int part_read(part *p, unsigned threads, part_take *take, void *data);
+int part_read(part *p, unsigned threads, part_taker *take, void *data);
 
 #endif

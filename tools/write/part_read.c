@@ -250,7 +250,7 @@ typedef struct reading {
     tile_place here;
     uint64_t left;
     zip_reader from[NPZ_ARRAYS];
-    part_take *take;
+    part_taker *take;
     void *data;
     int code; /* of the reading, which ends it */
 } reading;
@@ -362,7 +362,7 @@ static int read_bricks(reading *r, FILE *file, unsigned threads)
     return code;
 }
 
-int part_read(part *p, unsigned threads, part_take *take, void *data)
+int part_read(part *p, unsigned threads, part_taker *take, void *data)
 {
     uint64_t size;
     FILE *const file = open_file(p->path, &size);

@@ -130,17 +130,17 @@ int voxels_check_memory(const tribox_grid *grid, uint64_t bytes, const char *ins
 enum { SIDE = 8 };
 
 /* The words of 64 x 8 x 8 cells: eight bricks side by side. Rows and layers beyond the grid are 0. */
-typedef struct beam {
+typedef struct rod {
     uint64_t word[SIDE][SIDE]; /* of layer k and row j */
-} beam;
+} rod;
 
 static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
 
 /* layers: the words of up to eight layers from their first row on. Returns the cells of all these words together. */
-static uint64_t read_beam(const uint64_t *const layers[SIDE], uint32_t depth, uint32_t rows, size_t row_words, beam *b)
+static uint64_t read_rod(const uint64_t *const layers[SIDE], uint32_t depth, uint32_t rows, size_t row_words, rod *b)
 {
     uint64_t any = 0;
-    *b = (beam){.word = {{0}}};
+    *b = (rod){.word = {{0}}};
     for (uint32_t k = 0; k < depth; k++)
         for (uint32_t j = 0; j < rows; j++)
             any |= b->word[k][j] = layers[k][j * row_words];
@@ -162,8 +162,8 @@ static void exchange(uint64_t word[SIDE])
         }
 }
 
-/* The bricks of a beam whose cells are set in `any`, a byte for each. */
-static int take_beam(beam *b, uint64_t any, const uint32_t first[3], brick_taker *take, void *data)
+/* The bricks of a rod whose cells are set in `any`, a byte for each. */
+static int take_rod(rod *b, uint64_t any, const uint32_t first[3], brick_taker *take, void *data)
 {
     int code = EXIT_CODE_OK;
     for (int k = 0; k < SIDE; k++)
@@ -193,10 +193,10 @@ static int cut_rows(const voxels *v, const words_box *box, uint32_t y, uint32_t 
         from[k] = voxels_layer(v, SIDE * z + k) + SIDE * y * row_words + box->first[0];
     int code = EXIT_CODE_OK;
     for (uint32_t w = box->first[0]; w < box->end[0] && !code; w++) {
-        beam b;
-        const uint64_t any = read_beam(from, depth, rows, row_words, &b);
+        rod b;
+        const uint64_t any = read_rod(from, depth, rows, row_words, &b);
         if (any)
-            code = take_beam(&b, any, (const uint32_t[3]){SIDE * w, y, z}, take, data);
+            code = take_rod(&b, any, (const uint32_t[3]){SIDE * w, y, z}, take, data);
         for (uint32_t k = 0; k < depth; k++)
             from[k]++;
     }

@@ -14,7 +14,7 @@ command -v ccache >/dev/null && cc="ccache $cc"
     echo "$here/read.c"
     echo "$root/src/base/status.c"
     for name in decimal memory numbers written_number; do echo "$root/tools/console/$name.c"; done
-    find "$root/tools/read" -name '*.c' ! -name 'assimp_part.c' ! -name 'read_by_assimp.c' ! -name boxes.c ! -name reading.c \
+    find "$root/tools/read" -name '*.c' ! -name 'assimp_plugin.c' ! -name 'read_by_assimp.c' ! -name boxes.c ! -name reading.c \
         ! -name mesh_shift.c
 } | awk '{ printf "%03d.o %s\n", NR, $0 }' |
     xargs -P "$(nproc)" -L 1 sh -c '

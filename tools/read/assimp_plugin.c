@@ -1,4 +1,4 @@
-/* assimp_part.c - the part of the program that reads what libassimp can read, without any of its clean-up. */
+/* assimp_plugin.c - the plugin of the program that reads what libassimp can read, without any of its clean-up. */
 #include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <assimp/material.h>
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "assimp_part.h"
+#include "assimp_plugin.h"
 
 /* Rows of an affine transform: a coordinate is row . (x, y, z, 1). */
 typedef struct transform {
@@ -53,7 +53,7 @@ static float transform_coordinate(const transform *t, bool is_moved, int a, cons
 }
 
 /* Calls visit for every mesh of every node, in the order of the file. */
-typedef void visit_mesh(const struct aiMesh *part, const transform *place, void *context);
+typedef void visit_mesh(const struct aiMesh *mesh, const transform *place, void *context);
 
 static void walk_node(const struct aiScene *scene, const struct aiNode *node, const transform *parent, visit_mesh *visit,
                       void *context)
@@ -77,12 +77,12 @@ typedef struct faces {
     size_t to_cut; /* triangles that the polygons are worth */
 } faces;
 
-static void count_faces(const struct aiMesh *part, const transform *place, void *context)
+static void count_faces(const struct aiMesh *mesh, const transform *place, void *context)
 {
     faces *f = context;
     (void)place;
-    for (unsigned i = 0; i < part->mNumFaces; i++) {
-        const unsigned corners = part->mFaces[i].mNumIndices;
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const unsigned corners = mesh->mFaces[i].mNumIndices;
         f->triangles += corners == 3;
         f->points_and_lines += corners == 1 || corners == 2;
         f->to_cut += corners > 3 ? corners - 2 : 0;
@@ -102,18 +102,18 @@ typedef struct streams {
     size_t length, done;
 } streams;
 
-static void put_triangles(const struct aiMesh *part, const transform *place, void *context)
+static void put_triangles(const struct aiMesh *mesh, const transform *place, void *context)
 {
     streams *s = context;
     const bool is_moved = !is_identity(place);
-    for (unsigned i = 0; i < part->mNumFaces; i++) {
-        const struct aiFace *face = &part->mFaces[i];
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices != 3)
             continue;
         float *to = s->first + s->done++;
         for (int a = 0; a < 3; a++)
             for (int v = 0; v < 3; v++, to += s->length)
-                *to = transform_coordinate(place, is_moved, a, &part->mVertices[face->mIndices[v]]);
+                *to = transform_coordinate(place, is_moved, a, &mesh->mVertices[face->mIndices[v]]);
     }
 }
 
@@ -165,22 +165,22 @@ static void colour_triangle(const struct aiColor4D *of_corners, const struct aiF
     }
 }
 
-static void put_colours(const struct aiMesh *part, const transform *place, void *context)
+static void put_colours(const struct aiMesh *mesh, const transform *place, void *context)
 {
     colouring *const to = context;
-    const bool is_there = part->mMaterialIndex < to->scene->mNumMaterials;
-    const struct aiMaterial *const material = is_there ? to->scene->mMaterials[part->mMaterialIndex] : NULL;
-    const struct aiColor4D *const of_corners = part->mColors[0];
+    const bool is_there = mesh->mMaterialIndex < to->scene->mNumMaterials;
+    const struct aiMaterial *const material = is_there ? to->scene->mMaterials[mesh->mMaterialIndex] : NULL;
+    const struct aiColor4D *const of_corners = mesh->mColors[0];
     struct aiColor4D base = {1, 1, 1, 1};
     const bool has_material = is_there && find_material(material, &base), is_textured = is_there && has_texture(material);
     (void)place;
-    for (unsigned i = 0; i < part->mNumFaces; i++) {
-        if (part->mFaces[i].mNumIndices != 3)
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        if (mesh->mFaces[i].mNumIndices != 3)
             continue;
         float *const own = to->of[to->done++];
         own[0] = own[1] = own[2] = NAN;
         if (!is_textured && (of_corners || has_material))
-            colour_triangle(of_corners, &part->mFaces[i], &base, own);
+            colour_triangle(of_corners, &mesh->mFaces[i], &base, own);
         to->found.textured += is_textured;
         to->found.of_vertices += !is_textured && of_corners;
         to->found.of_materials += !is_textured && !of_corners && has_material;
@@ -197,12 +197,12 @@ static assimp_colours colour_scene(const void *scene, float (*of)[3])
 static bool check_indices(const struct aiScene *scene, char *reason)
 {
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const struct aiMesh *part = scene->mMeshes[i];
-        for (unsigned f = 0; f < part->mNumFaces; f++)
-            for (unsigned k = 0; k < part->mFaces[f].mNumIndices; k++)
-                if (part->mFaces[f].mIndices[k] >= part->mNumVertices) {
+        const struct aiMesh *mesh = scene->mMeshes[i];
+        for (unsigned f = 0; f < mesh->mNumFaces; f++)
+            for (unsigned k = 0; k < mesh->mFaces[f].mNumIndices; k++)
+                if (mesh->mFaces[f].mIndices[k] >= mesh->mNumVertices) {
                     snprintf(reason, ASSIMP_REASON, "damaged: face %u refers to vertex %ld, the mesh has %u, counted from 0", f,
-                             (long)(int32_t)part->mFaces[f].mIndices[k], part->mNumVertices);
+                             (long)(int32_t)mesh->mFaces[f].mIndices[k], mesh->mNumVertices);
                     return false;
                 }
     }
@@ -323,4 +323,5 @@ static void put_scene(const void *scene, size_t triangles, float *to) { walk(sce
 
 static void close_scene(const void *scene) { aiReleaseImport(scene); }
 
-__attribute__((visibility("default"))) const assimp_part tribox_assimp_part = {open_scene, put_scene, colour_scene, close_scene};
+__attribute__((visibility("default")))
+const assimp_plugin tribox_assimp_plugin = {open_scene, put_scene, colour_scene, close_scene};

@@ -1,6 +1,6 @@
-/* assimp_part.h - what the program asks of the part that knows libassimp, which is loaded when a file needs it. */
-#ifndef ASSIMP_PART_H
-#define ASSIMP_PART_H
+/* assimp_plugin.h - what the program asks of the plugin that knows libassimp, which is loaded when a file needs it. */
+#ifndef ASSIMP_PLUGIN_H
+#define ASSIMP_PLUGIN_H
 
 #include <stddef.h>
 
@@ -19,7 +19,7 @@ typedef struct assimp_colours {
     size_t textured;                  /* so many have a texture, and so none that is known here */
 } assimp_colours;
 
-typedef struct assimp_part {
+typedef struct assimp_plugin {
     /*
      * The scene in a file, and what is in it; NULL if it fails, with the reason. *opened: the names of all files that were opened
      * for it, each with its end, and then an empty one; NULL where memory fails before the first. For free().
@@ -36,11 +36,11 @@ typedef struct assimp_part {
     assimp_colours (*colour)(const void *scene, float (*of)[3]);
 
     void (*close)(const void *scene);
-} assimp_part;
+} assimp_plugin;
 
 /* Its file, and its one symbol. */
-#define ASSIMP_PART_FILE "tribox_assimp.so"
-#define ASSIMP_PART_SYMBOL "tribox_assimp_part"
-extern const assimp_part tribox_assimp_part;
+#define ASSIMP_PLUGIN_FILE "tribox_assimp.so"
+#define ASSIMP_PLUGIN_SYMBOL "tribox_assimp_plugin"
+extern const assimp_plugin tribox_assimp_plugin;
 
 #endif
