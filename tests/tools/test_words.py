@@ -59,7 +59,7 @@ WRONG = {
     "voxelize": [
         ("no mesh file given", "-r", "8", "-o", "x.npy"), ("no grid given; give --resolution or --cell", *A, "-o", "x.npy"),
         ("no output given; give -o FILE, or --count", *A, "-r", "8"),
-        ("one mesh at a time.*'b.ply' is one file too many", *A, "b.ply"),
+        ("one mesh at a time.*'b.ply' is one file too many", "-r", "8", *A, "-o", "x.npz", "b.ply"),
         *(("--up and --picture-size need --preview", *V, *look) for look in (("--up", "y"), ("--picture-size", "64x48"))),
         *(("option %s needs a value" % option, *A, option)
           for option in ("--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--threads", "--shard", "--up")),
