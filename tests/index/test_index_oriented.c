@@ -1,6 +1,6 @@
 /*
- * test_index_oriented.c - oriented boxes asked of an index of a soup or a mesh: EXACT is the call without one bit for bit on every kernel,
- * CONSERVATIVE never misses, and what is far outside or inside is not even read.
+ * test_index_oriented.c - oriented boxes asked of an index of a soup or a mesh: EXACT is the call without one bit for bit on every
+ * kernel, CONSERVATIVE never misses, and what is far outside or inside is not even read.
  */
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /*
  * test_fill.c - drawn meshes in drawn grids by integers: what is filled are the cells whose middles have an odd number of crossings
- * below them, of whole grids, and of windows, which need no triangle beside them; thin surfaces are those of each triangle by itself,
- * and leak nowhere; and every kernel turns the bits that exact signs alone turn.
+ * below them, of whole grids, and of windows, which need no triangle beside them; thin surfaces are those of each triangle by
+ * itself, and leak nowhere; and every kernel turns the bits that exact signs alone turn.
  */
 #include <float.h>
 #include <math.h>
