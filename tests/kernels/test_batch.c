@@ -3,15 +3,14 @@
  *
  * All streams, the mask, the report and the one box or triangle lie between pages that cannot be touched.
  */
+#include "common/fences.h"
 #include "common/harness.h"
 #include "drawn_pairs.h"
 
 static drawn_numbers numbers;
 
-enum { ACCURACIES = TRIBOX_FAST + 1, POISON = 0xa5 };
-
 /* Where things lie in their pages: at the end, or a number of floats after the start. */
-enum { AT_END = 16, PLACES };
+enum { ACCURACIES = TRIBOX_FAST + 1, PLACES = 16 };
 
 static struct fences {
     guarded stream[SOUP_STREAMS], one, mask, report;
@@ -55,7 +54,7 @@ static pair_list between_guards(const pair_list *from, size_t count, int place)
 {
     pair_list q = {.count = count};
     for (int s = 0; s < pair_list_streams(from); s++) {
-        const size_t bytes = count * sizeof(float), offset = sizeof(float) * (size_t)(place * (2 * s + 1) % 16);
+        const size_t bytes = count * sizeof(float), offset = sizeof(float) * (size_t)((place + PLACES) * (2 * s + 1) % 16);
         guarded_read_only(fence.stream[s], false);
         float *const stream = placed(fence.stream[s], bytes, offset, place);
         memcpy(stream, from->stream[s], bytes);
@@ -70,14 +69,6 @@ static pair_list between_guards(const pair_list *from, size_t count, int place)
                             sizeof numbers.triangle);
     guarded_read_only(fence.one, true);
     return q;
-}
-
-static void assert_poisoned(const unsigned char *first, const unsigned char *end, const pair_list *q, const tribox_options *options)
-{
-    char text[PAIR_LIST_TEXT];
-    for (const unsigned char *byte = first; byte < end; byte++)
-        if (*byte != POISON)
-            fail_msg("%s: written beside the mask", pair_list_text(q, options, text));
 }
 
 static void assert_report(const pair_list *q, const tribox_options *options, const tribox_report *report, const uint64_t *expected)
@@ -98,14 +89,13 @@ static void check_call(const pair_list *q, const tribox_options *options, const 
     if (q->count % 64)
         expected[words - 1] &= ~(~UINT64_C(0) << q->count % 64);
 
-    memset(fence.mask.first, POISON, fence.mask.size);
-    uint64_t *const mask = placed(fence.mask, bytes, sizeof(uint64_t) * (size_t)(place % 8), place);
+    const fenced place_of_mask = fenced_place(fence.mask, bytes, place == AT_END ? AT_END : 8 * (place % 8));
+    uint64_t *const mask = (uint64_t *)(void *)place_of_mask.at;
     tribox_report *const report = placed(fence.report, sizeof *report, 0, place);
     pair_list_text(q, options, doing);
     ask_ok(q, options, mask, report);
     assert_masks_equal(q, options, expected, mask);
-    assert_poisoned(fence.mask.first, (unsigned char *)mask, q, options);
-    assert_poisoned((unsigned char *)(mask + words), fence.mask.first + fence.mask.size, q, options);
+    assert_nothing_beside(&place_of_mask);
     assert_report(q, options, report, expected);
     if (place)
         return;
@@ -133,11 +123,11 @@ static void check_form(bool is_soup)
     const pair_list all = draw_distinct_lanes(&r, is_soup, &numbers);
     ask_each_alone(&all);
     assert_lanes_are_distinct(alone[0][TRIBOX_EXACT], all.count);
-    for (int place = 0; place < PLACES; place++)
+    for (int place = AT_END; place < PLACES; place++)
         for (size_t count = 0; count <= 200; count++)
             check_count(&all, count, place);
     for (size_t k = 0; k < sizeof large / sizeof large[0]; k++)
-        for (int place = 0; place < PLACES; place += AT_END / 2)
+        for (int place = AT_END; place < PLACES; place += PLACES / 2)
             check_count(&all, large[k], place);
 }
 
@@ -152,7 +142,7 @@ CASE(test_not_finite)
     random_source r = random_named(args.seed, "batch");
     const pair_list all = draw_distinct_lanes(&r, true, &numbers);
     for (size_t count = 0; count <= 200; count++)
-        for (int place = 0; place <= AT_END; place += AT_END) {
+        for (int place = AT_END; place <= 0; place++) {
             const pair_list q = between_guards(&all, count, place);
             const tribox_soup soup = pair_list_soup(&q);
             size_t first;
