@@ -52,6 +52,8 @@ static double of_triangle(const oriented_batch *batch, double number)
     return batch->form == ORIENTED_DOUBLES ? nearest_finite(number) : (double)nearest_float(number);
 }
 
+static double *number_of(oriented_batch *batch, int n) { return &batch->u[n / 9][n / 3 % 3][n % 3]; }
+
 /* The next number, or the one before it, as floats or as doubles; never infinite. */
 static double next_to(random_source *r, double number, bool is_float)
 {
@@ -179,28 +181,22 @@ static void draw_whole(random_source *r, oriented_batch *batch)
     place(&up, frame, inverse, size, up.center, batch);
 }
 
+static void nudge_number(random_source *r, double *number, bool is_float)
+{
+    if (random_int(r, 2))
+        *number = next_to(r, *number, is_float);
+}
+
 /* Moves some numbers of the box and of the triangles to the next. */
 static void nudge(random_source *r, oriented_batch *batch)
 {
     const bool is_box_float = batch->form == ORIENTED_FLOATS, are_floats = batch->form != ORIENTED_DOUBLES;
-    if (random_int(r, 2)) {
-        double *const c = &batch->box.center[random_int(r, 3)];
-        *c = next_to(r, *c, is_box_float);
-    }
-    if (random_int(r, 2)) {
-        double *const h = &batch->box.half[random_int(r, 3)];
-        *h = next_to(r, *h, is_box_float);
-        *h = *h < 0 ? 0 : *h;
-    }
-    if (random_int(r, 2)) {
-        double *const number = &batch->box.axis[random_int(r, 3)][random_int(r, 3)];
-        *number = next_to(r, *number, is_box_float);
-    }
-    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
-        for (int times = random_int(r, 3); times > 0; times--) {
-            double *const number = &batch->u[t][random_int(r, 3)][random_int(r, 3)];
-            *number = next_to(r, *number, are_floats);
-        }
+    nudge_number(r, &batch->box.center[random_int(r, 3)], is_box_float);
+    nudge_number(r, &batch->box.axis[random_int(r, 3)][random_int(r, 3)], is_box_float);
+    if (random_int(r, 2))
+        nudge_half(r, batch, random_int(r, 3));
+    for (int n = 0; n < 2 * ORIENTED_TRIANGLES; n++)
+        nudge_number(r, &batch->u[n / 2][random_int(r, 3)][random_int(r, 3)], are_floats);
 }
 
 static void draw_whole_ulp(random_source *r, oriented_batch *batch)
@@ -232,30 +228,34 @@ static void draw_turned_about_an_axis(random_source *r, oriented_batch *batch)
         nudge_half(r, batch, k);
 }
 
+/* A scene turned by any angles, about a center of its own or another. */
+static void place_turned(random_source *r, scene_draw *draw, const double *center, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3];
+    upright up;
+    draw_upright(r, draw, &up);
+    draw_rotation(r, frame, inverse);
+    place(&up, frame, inverse, 1, center ? center : up.center, batch);
+}
+
+static void place_away(random_source *r, scene_draw *draw, double distance, oriented_batch *batch)
+{
+    double center[3];
+    for (int a = 0; a < 3; a++)
+        center[a] = of_box(batch, distance * random_double(r, -1, 1));
+    place_turned(r, draw, center, batch);
+}
+
 /* A scene of any kind about a box turned by any angles: within some ulps of contact where the scene is one of contact. */
 static void draw_turned(random_source *r, oriented_batch *batch)
 {
     static scene_draw *const kinds[] = {draw_paper,   draw_touching, draw_near_contact,    draw_needles,    draw_caps,
                                         draw_edge_on, draw_sphere,   draw_small_triangles, draw_flat_boxes, draw_big_triangles};
-    double frame[3][3], inverse[3][3];
-    upright up;
-    draw_upright(r, kinds[random_int(r, sizeof kinds / sizeof kinds[0])], &up);
-    draw_rotation(r, frame, inverse);
-    place(&up, frame, inverse, 1, random_int(r, 2) ? origin : up.center, batch);
+    place_turned(r, kinds[random_int(r, sizeof kinds / sizeof kinds[0])], random_int(r, 2) ? origin : NULL, batch);
 }
 
 /* The paper's scene, turned; often a little away from the origin. */
-static void draw_ordinary(random_source *r, oriented_batch *batch)
-{
-    double frame[3][3], inverse[3][3], center[3];
-    upright up;
-    draw_upright(r, draw_paper, &up);
-    draw_rotation(r, frame, inverse);
-    const double distance = random_int(r, 100);
-    for (int a = 0; a < 3; a++)
-        center[a] = of_box(batch, distance * random_double(r, -1, 1));
-    place(&up, frame, inverse, 1, center, batch);
-}
+static void draw_ordinary(random_source *r, oriented_batch *batch) { place_away(r, draw_paper, random_int(r, 100), batch); }
 
 /*
  * Points of one face of a turned box that is thin there, all but for the rounding: what the move may be off by decides about each.
@@ -295,13 +295,18 @@ static void draw_sheared(random_source *r, oriented_batch *batch)
     place(&up, frame, inverse, size, up.center, batch);
 }
 
-/* Two equal axes, opposite ones, an axis of length zero, all axes in a plane, or nothing but zeros: slabs, beams, all of space. */
-static void draw_singular(random_source *r, oriented_batch *batch)
+static void draw_turned_or_whole(random_source *r, oriented_batch *batch)
 {
     if (random_int(r, 2))
         draw_turned(r, batch);
     else
         draw_whole(r, batch);
+}
+
+/* Two equal axes, opposite ones, an axis of length zero, all axes in a plane, or nothing but zeros: slabs, beams, all of space. */
+static void draw_singular(random_source *r, oriented_batch *batch)
+{
+    draw_turned_or_whole(r, batch);
     const int k = random_int(r, 3), l = (k + 1) % 3, m = (k + 2) % 3, kind = random_int(r, 5);
     double(*const axis)[3] = batch->box.axis;
     for (int a = 0; a < 3; a++) {
@@ -314,14 +319,7 @@ static void draw_singular(random_source *r, oriented_batch *batch)
 /* So far away that a unit is a few ulps. */
 static void draw_far(random_source *r, oriented_batch *batch)
 {
-    double frame[3][3], inverse[3][3], center[3];
-    upright up;
-    draw_upright(r, random_int(r, 2) ? draw_near_contact : draw_touching, &up);
-    draw_rotation(r, frame, inverse);
-    const double distance = ldexp(1, random_int_between(r, 10, 22));
-    for (int a = 0; a < 3; a++)
-        center[a] = of_box(batch, distance * random_double(r, -1, 1));
-    place(&up, frame, inverse, 1, center, batch);
+    place_away(r, random_int(r, 2) ? draw_near_contact : draw_touching, ldexp(1, random_int_between(r, 10, 22)), batch);
 }
 
 /* Far along a direction that an axis does not see: its coordinate comes of large products that cancel. */
@@ -348,10 +346,8 @@ static void scale(oriented_batch *batch, int of_positions, int of_axes)
         for (int a = 0; a < 3; a++)
             batch->box.axis[k][a] = of_box(batch, ldexp(batch->box.axis[k][a], of_axes));
     }
-    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                batch->u[t][j][a] = of_triangle(batch, ldexp(batch->u[t][j][a], of_positions));
+    for (int n = 0; n < 9 * ORIENTED_TRIANGLES; n++)
+        *number_of(batch, n) = of_triangle(batch, ldexp(*number_of(batch, n), of_positions));
 }
 
 /* From where nearly all is subnormal to where nearly all overflows; the axes by themselves too. */
@@ -478,10 +474,7 @@ static void move_middle(random_source *r, oriented_batch *batch)
 /* Slabs and beams that end where floats do, or doubles. */
 static void draw_endless(random_source *r, oriented_batch *batch)
 {
-    if (random_int(r, 2))
-        draw_turned(r, batch);
-    else
-        draw_whole(r, batch);
+    draw_turned_or_whole(r, batch);
     for (int times = random_int_between(r, 1, 2); times > 0; times--)
         batch->box.half[random_int(r, 3)] = of_box(batch, random_int(r, 2) ? DBL_MAX : ldexp(1, random_int_between(r, 60, 200)));
     if (batch->form == ORIENTED_TRIANGLES_OF_FLOATS)
@@ -521,10 +514,8 @@ static void draw_any_bits(random_source *r, oriented_batch *batch)
         for (int a = 0; a < 3; a++)
             batch->box.axis[k][a] = any_number(r, is_box_float, is_narrow);
     }
-    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                batch->u[t][j][a] = any_number(r, batch->form != ORIENTED_DOUBLES, is_narrow);
+    for (int n = 0; n < 9 * ORIENTED_TRIANGLES; n++)
+        *number_of(batch, n) = any_number(r, batch->form != ORIENTED_DOUBLES, is_narrow);
 }
 
 /* A map's coordinates: millions of metres, millimetres, and a box turned and sized in tenths. */
@@ -543,10 +534,9 @@ static void draw_map(random_source *r, oriented_batch *batch)
                 up.u[t][j][k] = up.center[k] + (up.u[t][j][k] - up.center[k]) * of_tenths;
     }
     place(&up, frame, inverse, 1, center, batch);
-    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
-        for (int j = 0; t % 2 && j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                batch->u[t][j][a] = of_triangle(batch, floor(batch->u[t][j][a] * 1000 + 0.5) / 1000);
+    for (int n = 0; n < 9 * ORIENTED_TRIANGLES; n++)
+        if (n / 9 % 2)
+            *number_of(batch, n) = of_triangle(batch, floor(*number_of(batch, n) * 1000 + 0.5) / 1000);
 }
 
 /* A quarter turn by sine and cosine, which leaves 6e-17 where a zero is meant; faces that touch but for that. */
