@@ -24,39 +24,19 @@ static int set_up(void)
     return 0;
 }
 
-/* False of a NaN, as of every comparison with one; and of all triangles where the box is empty. */
-static bool is_inside(const pair_list *q, size_t i)
-{
-    for (int s = 0; s < SOUP_STREAMS; s++) {
-        const float u = q->stream[s][i];
-        if (!(u >= q->box->lo[s / 3] && u <= q->box->hi[s / 3]))
-            return false;
-    }
-    return true;
-}
-
+/* Not of a NaN, as of every comparison with one; and of no triangle where the box is empty. */
 static void expect_inside(const pair_list *q, uint64_t *inside)
 {
     memset(inside, 0, tribox_mask_words(q->count) * sizeof *inside);
-    for (size_t i = 0; i < q->count; i++)
-        inside[i / 64] |= (uint64_t)is_inside(q, i) << i % 64;
+    for (size_t i = 0; i < q->count; i++) {
+        bool is = true;
+        for (int s = 0; s < SOUP_STREAMS; s++)
+            is = is && q->stream[s][i] >= q->box->lo[s / 3] && q->stream[s][i] <= q->box->hi[s / 3];
+        inside[i / 64] |= (uint64_t)is << i % 64;
+    }
 }
 
 static uint64_t *words_of(const fenced *place) { return (uint64_t *)(void *)place->at; }
-
-static void ask(const pair_list *q, const tribox_options *options, uint64_t *mask, uint64_t *inside, tribox_report *report)
-{
-    const tribox_soup soup = pair_list_soup(q);
-    const tribox_status status = tribox_classify(&soup, q->box, options, mask, inside, report);
-    if (status)
-        fail_msg("%s: %s", doing, tribox_status_text(status));
-}
-
-static void assert_report(const pair_list *q, const tribox_options *options, const tribox_report *got, size_t overlapping)
-{
-    if (got->overlapping != overlapping || got->undecided > (options->accuracy == TRIBOX_FAST ? 0 : q->count))
-        fail_msg("%s: reports %zu of %zu, %zu undecided", doing, got->overlapping, overlapping, got->undecided);
-}
 
 /* At FAST blocks may be answered exactly: words that are, are expected so. */
 static void take_exact(const tribox_options *options, uint64_t *expected, const uint64_t *exact, const uint64_t *got, size_t words)
@@ -114,9 +94,12 @@ static void check(const pair_list *q, const tribox_options *options)
     snprintf(doing, sizeof doing, "tribox_classify: %s", pair_list_text(q, options, text));
 
     const size_t bytes = tribox_mask_words(q->count) * sizeof(uint64_t);
+    const tribox_soup soup = pair_list_soup(q);
     for (int wanted = 0; wanted < 8; wanted++) {
         const fenced mask = fenced_place(mask_fence, bytes, AT_END), inside = fenced_place(inside_fence, bytes, AT_END);
-        ask(q, options, wanted & 1 ? words_of(&mask) : NULL, wanted & 2 ? words_of(&inside) : NULL, wanted & 4 ? &report : NULL);
+        assert_int_equal(tribox_classify(&soup, q->box, options, wanted & 1 ? words_of(&mask) : NULL,
+                                         wanted & 2 ? words_of(&inside) : NULL, wanted & 4 ? &report : NULL),
+                         TRIBOX_OK);
         if (wanted & 1) {
             take_exact(options, overlapping, exact, words_of(&mask), tribox_mask_words(q->count));
             assert_masks_equal(q, options, overlapping, words_of(&mask));
@@ -126,8 +109,9 @@ static void check(const pair_list *q, const tribox_options *options)
             assert_masks_equal(q, options, within, words_of(&inside));
             assert_nothing_beside(&inside);
         }
-        if (wanted & 4)
-            assert_report(q, options, &report, bits_set(overlapping, tribox_mask_words(q->count)));
+        if (wanted & 4 && (report.overlapping != bits_set(overlapping, tribox_mask_words(q->count)) ||
+                           report.undecided > (options->accuracy == TRIBOX_FAST ? 0 : q->count)))
+            fail_msg("%s: reports %zu, %zu undecided", doing, report.overlapping, report.undecided);
     }
 }
 
@@ -190,34 +174,23 @@ CASE(test_axes)
                                             .kernel = names[k]});
 }
 
-/* The whole range of floats: FAST must not lose what is inside either. */
+/*
+ * The whole range of floats: FAST must not lose what is inside either. Every other time with the vertices moved to the nearest
+ * points of the box, where most is inside then, some of them beside it by one ulp.
+ */
 CASE(test_scenes)
 {
-    for (size_t i = 0; i < scene_count(); i++) {
-        random_source r = random_named(args.seed, scene_at(i)->name);
-        for (int round = 0; round < 3; round++) {
-            const pair_list q = draw_pairs(&r, scene_at(i), true, &numbers);
-            check_kernels(&q);
+    for (size_t i = 0; i < 6 * scene_count(); i++) {
+        random_source r = random_named(args.seed + i % 6, scene_at(i / 6)->name);
+        const pair_list q = draw_pairs(&r, scene_at(i / 6), true, &numbers);
+        for (size_t k = 0; i % 2 && k < SOUP_STREAMS * q.count; k++) {
+            const size_t s = k / q.count;
+            float *const u = &numbers.stream[s][k % q.count];
+            *u = fminf(fmaxf(*u, (float)q.box->lo[s / 3]), (float)q.box->hi[s / 3]);
+            if (!random_int(&r, 40))
+                *u = nextafterf(*u, random_int(&r, 2) ? FLT_MAX : -FLT_MAX);
         }
-    }
-}
-
-/* Scenes where most is inside: the vertices moved to the nearest points of the box, some of them beside it by one ulp. */
-CASE(test_scenes_clamped)
-{
-    for (size_t i = 0; i < scene_count(); i++) {
-        random_source r = random_named(args.seed, scene_at(i)->name);
-        for (int round = 0; round < 3; round++) {
-            const pair_list q = draw_pairs(&r, scene_at(i), true, &numbers);
-            for (int s = 0; s < SOUP_STREAMS; s++)
-                for (size_t k = 0; k < q.count; k++) {
-                    float *const u = &numbers.stream[s][k];
-                    *u = fminf(fmaxf(*u, (float)q.box->lo[s / 3]), (float)q.box->hi[s / 3]);
-                    if (!random_int(&r, 40))
-                        *u = nextafterf(*u, random_int(&r, 2) ? FLT_MAX : -FLT_MAX);
-                }
-            check_kernels(&q);
-        }
+        check_kernels(&q);
     }
 }
 
@@ -298,9 +271,11 @@ static void check_one_unlike(float usual, float other)
     }
 }
 
-CASE(test_one_hit) { check_one_unlike(3, 0); }
-
-CASE(test_one_miss) { check_one_unlike(0, 3); }
+CASE(test_one_unlike)
+{
+    check_one_unlike(3, 0);
+    check_one_unlike(0, 3);
+}
 
 /* A triangle that is not finite overlaps nothing: any goes past it, and all stops at it. */
 static void check_not_finite(size_t count, size_t at, int stream, float usual, tribox_find_what what, size_t expected)
@@ -368,5 +343,5 @@ CASE(test_stops)
         }
 }
 
-PROGRAM_AFTER(set_up, RUN(test_every_count), RUN(test_axes), RUN(test_scenes), RUN(test_scenes_clamped), RUN(test_each_comparison),
-              RUN(test_one_hit), RUN(test_one_miss), RUN(test_empty), RUN(test_not_finite), RUN(test_stops))
+PROGRAM_AFTER(set_up, RUN(test_every_count), RUN(test_axes), RUN(test_scenes), RUN(test_each_comparison), RUN(test_one_unlike),
+              RUN(test_empty), RUN(test_not_finite), RUN(test_stops))
