@@ -9,6 +9,8 @@
 #include "common/harness.h"
 #include "common/scenes.h"
 #include "common/laid_mesh.h"
+#include "common/soup_or_mesh.h"
+#include "common/window_bits.h"
 #include "scenes_f64.h"
 
 enum { TRIANGLES = 100, LISTED_MOST = 2100 };
@@ -18,11 +20,10 @@ static guarded list_fence, bytes_fence, stream_fences[9];
 
 /* What is asked, in one of its forms; the truth about every triangle and child. */
 typedef struct asked {
-    tribox_soup soup;
-    tribox_mesh mesh;
+    soup_or_mesh of;
     tribox_box box;
     double middle[3];
-    bool has_middle, is_mesh;
+    bool has_middle;
     bool is_fast_known;                        /* a soup, and nothing underflows: then FAST depends on its kernel alone */
     uint8_t truth[TRIANGLES], fast[TRIANGLES]; /* by the kernel that is asked */
 } asked;
@@ -30,9 +31,7 @@ typedef struct asked {
 static tribox_status split(const asked *q, const uint32_t *list, size_t count, const tribox_options *options, uint8_t *children,
                            tribox_report *report)
 {
-    const double *const middle = q->has_middle ? q->middle : NULL;
-    return q->is_mesh ? tribox_mesh_split(&q->mesh, list, count, &q->box, middle, options, children, report)
-                      : tribox_split(&q->soup, list, count, &q->box, middle, options, children, report);
+    return CALL(split, &q->of, list, count, &q->box, q->has_middle ? q->middle : NULL, options, children, report);
 }
 
 static double nearest_middle(double lo, double hi) { return (double)(((long double)lo + (long double)hi) / 2); }
@@ -48,11 +47,9 @@ static void ask_children(const asked *q, const tribox_options *options, uint8_t 
             const double middle = q->has_middle ? q->middle[a] : nearest_middle(q->box.lo[a], q->box.hi[a]);
             *(c >> a & 1 ? &child.lo[a] : &child.hi[a]) = middle;
         }
-        const tribox_status status = q->is_mesh ? tribox_mesh_overlap(&q->mesh, &child, options, mask, NULL)
-                                                : tribox_overlap(&q->soup, &child, options, mask, NULL);
-        assert_int_equal(status, TRIBOX_OK);
-        for (size_t i = 0; i < q->mesh.count; i++)
-            bits[i] |= (uint8_t)((mask[i / 64] >> i % 64 & 1) << c);
+        assert_int_equal(CALL(overlap, &q->of, &child, options, mask, NULL), TRIBOX_OK);
+        for (size_t i = 0; i < q->of.mesh.count; i++)
+            bits[i] |= (uint8_t)(bit_of(mask, i) << c);
     }
 }
 
@@ -101,12 +98,12 @@ static void check(random_source *r, asked *q, bool has_long_lists)
         ask_children(q, &(tribox_options){.kernel = names[k], .axes = axes, .accuracy = TRIBOX_FAST}, q->fast);
         for (size_t n = 0; n < sizeof counts / sizeof counts[0]; n++) {
             for (size_t i = 0; i < counts[n]; i++)
-                list[i] = (uint32_t)(random_int(r, 8) ? (i + n) % q->mesh.count : random_below(r, q->mesh.count));
+                list[i] = (uint32_t)(random_int(r, 8) ? (i + n) % q->of.mesh.count : random_below(r, q->of.mesh.count));
             check_list(q, list, counts[n],
                        n % 2 ? &exact
                              : &(tribox_options){.kernel = names[k], .axes = axes, .accuracy = (tribox_accuracy)random_int(r, 3)});
         }
-        check_list(q, NULL, q->mesh.count, &exact);
+        check_list(q, NULL, q->of.mesh.count, &exact);
     }
 }
 
@@ -116,7 +113,7 @@ static void draw_middle(random_source *r, asked *q, const double (*u)[3][3])
     const int end = random_int(r, 8);
     q->has_middle = random_int(r, 3);
     for (int a = 0; a < 3; a++) {
-        const double lo = q->box.lo[a], hi = q->box.hi[a], at = u[random_below(r, q->mesh.count)][random_int(r, 3)][a];
+        const double lo = q->box.lo[a], hi = q->box.hi[a], at = u[random_below(r, q->of.mesh.count)][random_int(r, 3)][a];
         const double middle = nearest_middle(lo, hi);
         const double any[] = {lo, hi, middle, at, nextafter(at, hi), nextafterf((float)at, (float)hi), lo * 0.25 + hi * 0.75};
         const double drawn = any[end < 2 ? end : random_int(r, sizeof any / sizeof any[0])];
@@ -130,20 +127,20 @@ static void check_forms(random_source *r, const tribox_box *box, const double (*
 {
     static asked q;
     const mesh_form form = mesh_form_draw(r, are_floats);
-    if (box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2])
+    if (box_is_empty(box))
         return;
     q.box = *box;
-    q.mesh = laid_mesh_of(r, &form, u, count, (const int[3]){0, 1, 2}, fences);
-    q.soup = (tribox_soup){.count = count};
+    q.of.mesh = laid_mesh_of(r, &form, u, count, (const int[3]){0, 1, 2}, fences);
+    q.of.soup.count = count;
     for (int s = 0; s < 9; s++) {
         float *const stream = guarded_tail(stream_fences[s], count * sizeof *stream);
-        (s < 3 ? q.soup.x : s < 6 ? q.soup.y : q.soup.z)[s % 3] = stream;
+        (s < 3 ? q.of.soup.x : s < 6 ? q.of.soup.y : q.of.soup.z)[s % 3] = stream;
         for (size_t i = 0; i < count; i++)
             stream[i] = (float)u[i][s % 3][s / 3];
     }
     draw_middle(r, &q, u);
     for (int is_mesh = !are_floats; is_mesh < 2; is_mesh++) {
-        q.is_mesh = is_mesh;
+        q.of.is_mesh = is_mesh;
         q.is_fast_known = !is_mesh && is_ordinary;
         check(r, &q, !random_int(r, 8));
     }
