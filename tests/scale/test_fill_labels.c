@@ -3,6 +3,7 @@
  * grid, and part by part, however it is cut.
  */
 #include "common/harness.h"
+#include "common/window_bits.h"
 #include "tribox_threads.h"
 
 enum { PAIRS = 100000, ROUNDS = 1200, PARTS_MAX = 4096 };
@@ -195,18 +196,23 @@ static void cut_axis(random_source *r, uint32_t size, uint32_t side, uint32_t *b
     border[*along] = size;
 }
 
-static bool cut_walls(random_source *r)
+static void cut_all(random_source *r, uint32_t side)
 {
-    static const uint32_t sides[] = {0, 0, 3, 8, 16, 64, 128};
-    const uint32_t side = sides[random_int(r, sizeof sides / sizeof sides[0])];
     for (int a = 0; a < 3; a++)
         cut_axis(r, drawn.size[a], side, cut.border[a], &cut.along[a]);
-    return (size_t)cut.along[0] * cut.along[1] * cut.along[2] <= PARTS_MAX;
 }
 
 static size_t parts_of(void) { return (size_t)cut.along[0] * cut.along[1] * cut.along[2]; }
 
-static size_t row_words(const part *p) { return (p->size[0] + 63) / 64; }
+static bool cut_walls(random_source *r)
+{
+    static const uint32_t sides[] = {0, 0, 3, 8, 16, 64, 128};
+    const uint32_t side = sides[random_int(r, sizeof sides / sizeof sides[0])];
+    cut_all(r, side);
+    return parts_of() <= PARTS_MAX;
+}
+
+static size_t bytes_of(const part *p) { return tribox_window_words(p->size) * sizeof(uint64_t); }
 
 /* Pages for so many bytes: those that are there, from an earlier round, if they do. */
 static void *take_pages(guarded *g, size_t bytes)
@@ -222,27 +228,22 @@ static void *take_pages(guarded *g, size_t bytes)
 /* With bits of any kind past the end of each row. */
 static void set_words(random_source *r, part *p)
 {
-    const size_t bytes = row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t);
-    uint64_t *const words = take_pages(&p->words, bytes);
+    uint64_t *const words = take_pages(&p->words, bytes_of(p));
     guarded_read_only(p->words, false);
     p->is_empty = true;
     for (uint32_t k = 0; k < p->size[2]; k++)
         for (uint32_t j = 0; j < p->size[1]; j++)
-            for (uint32_t i = 0; i < 64 * row_words(p); i++) {
+            for (uint32_t i = 0; i < 64 * window_row(p->size); i++) {
                 const bool is_cell = i < p->size[0];
                 const bool is =
                     is_cell ? drawn.is_wall[walls_at(&drawn, p->first[0] + i, p->first[1] + j, p->first[2] + k)] : random_int(r, 2);
-                uint64_t *const word = &words[(k * p->size[1] + j) * row_words(p) + i / 64];
-                *word = (*word & ~(UINT64_C(1) << i % 64)) | (uint64_t)is << i % 64;
+                window_put(p->size, words, i, j, k, is);
                 p->is_empty = p->is_empty && !(is_cell && is);
             }
     guarded_read_only(p->words, true);
 }
 
-static const uint64_t *words_of(const part *p)
-{
-    return guarded_tail(p->words, row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t));
-}
+static const uint64_t *words_of(const part *p) { return guarded_tail(p->words, bytes_of(p)); }
 
 static size_t face_cells(const part *p, int face) { return (size_t)p->size[face < 2 ? 1 : 0] * p->size[face < 4 ? 2 : 1]; }
 
@@ -327,7 +328,7 @@ static size_t fill_part(part *p, uint32_t off)
     guarded_read_only(moved, true);
     uint64_t outside[WALLS_CELLS / 64 + 1] = {0};
     size_t inside = SIZE_MAX;
-    const size_t bytes = row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t);
+    const size_t bytes = bytes_of(p);
     for (uint32_t n = 0; n < p->labels; n++)
         outside[n / 64] |= (uint64_t)(tribox_fill_root(cut.parents, p->from + n) == tribox_fill_root(cut.parents, 0)) << n % 64;
     take_pages(&p->solid, bytes);
@@ -339,11 +340,11 @@ static size_t fill_part(part *p, uint32_t off)
 
 static void check_part(const part *p)
 {
-    const uint64_t *const solid = guarded_tail(p->solid, row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t));
+    const uint64_t *const solid = guarded_tail(p->solid, bytes_of(p));
     for (uint32_t k = 0; k < p->size[2]; k++)
         for (uint32_t j = 0; j < p->size[1]; j++)
-            for (uint32_t i = 0; i < 64 * row_words(p); i++) {
-                const bool is = solid[(k * p->size[1] + j) * row_words(p) + i / 64] >> i % 64 & 1;
+            for (uint32_t i = 0; i < 64 * window_row(p->size); i++) {
+                const bool is = window_bit(p->size, solid, i, j, k);
                 const bool is_right =
                     i < p->size[0] && !is_reached[walls_at(&drawn, p->first[0] + i, p->first[1] + j, p->first[2] + k)];
                 if (is != is_right)
@@ -358,7 +359,7 @@ static size_t fill_whole(random_source *r)
     static part whole;
     memcpy(whole.size, drawn.size, sizeof whole.size);
     set_words(r, &whole);
-    const size_t bytes = row_words(&whole) * whole.size[1] * whole.size[2] * sizeof(uint64_t);
+    const size_t bytes = bytes_of(&whole);
     const size_t scratch_bytes = tribox_fill_bytes(drawn.size), after = random_below(r, 8);
     unsigned char *const scratch = take_pages(&whole.scratch, scratch_bytes + after);
     const int any = random_int(r, 256);
@@ -379,7 +380,7 @@ static void check_drawn(random_source *r)
 {
     const size_t reached = walls_search(&drawn, is_reached);
     size_t free_cells = 0, inside = 0;
-    for (size_t n = 0; n < (size_t)drawn.size[0] * drawn.size[1] * drawn.size[2]; n++)
+    for (size_t n = 0; n < cells_of(&drawn); n++)
         free_cells += !drawn.is_wall[n];
     const size_t of_whole = fill_whole(r);
     label_all(r);
@@ -419,8 +420,7 @@ CASE(test_checkerboard)
     static const uint32_t sides[] = {8, 16, 64, 128};
     random_source r = random_named(1, "fill checkerboard");
     for (size_t n = 0; n < 4; n++) {
-        for (int a = 0; a < 3; a++)
-            cut_axis(&r, drawn.size[a], sides[n], cut.border[a], &cut.along[a]);
+        cut_all(&r, sides[n]);
         snprintf(doing, sizeof doing, "checkerboard, parts of %u", sides[n]);
         check_drawn(&r);
     }
@@ -438,8 +438,7 @@ CASE(test_repeated_rows)
         for (uint32_t j = 1; j < 8; j++)
             drawn.is_wall[walls_at(&drawn, 2, j, 1)] = 0;
         drawn.is_wall[walls_at(&drawn, 2, hole, 0)] = 0;
-        for (int a = 0; a < 3; a++)
-            cut_axis(&r, drawn.size[a], 64, cut.border[a], &cut.along[a]);
+        cut_all(&r, 64);
         snprintf(doing, sizeof doing, "corridor open at %u", hole);
         check_drawn(&r);
     }

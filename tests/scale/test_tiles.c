@@ -131,15 +131,12 @@ static void check_parts(random_source *r, const tile_case *c, size_t from, size_
 
 static size_t cells_of(const uint32_t size[3]) { return (size_t)size[0] * size[1] * size[2]; }
 
-/* Any window, also one without cells, or of the last cell. */
+/* Any window, also one without cells. */
 static tribox_window draw_window(random_source *r, const uint32_t size[3])
 {
     tribox_window window;
-    for (int a = 0; a < 3; a++) {
-        window.first[a] = (uint32_t)random_below(r, size[a]);
-        window.size[a] = random_int(r, 3) ? (uint32_t)random_below(r, size[a] - window.first[a]) + 1 : size[a] - window.first[a];
-        window.size[a] = random_int(r, 40) ? window.size[a] : 0;
-    }
+    cells_draw_window(r, &(tribox_window){.size = {size[0], size[1], size[2]}}, size, &window);
+    window.size[random_int(r, 3)] *= random_int(r, 13) > 0;
     return window;
 }
 
