@@ -16,6 +16,8 @@ static uint32_t indices[3 * TRIANGLES];
 static float streams[9][TRIANGLES];
 static uint64_t occupied[CELLS * CELLS * ((CELLS + 63) / 64)];
 
+static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+static const tribox_box box = {{40, 40, 40}, {90, 80, 70}};
 static soup_or_mesh all; /* one and the same triangles, in doubles as a mesh */
 
 /* Of every size, on planes, partly outside, too large for float: the way of each is walked to its end. */
@@ -46,9 +48,9 @@ static void *voxelize(void *options)
     static const tribox_window corner = {.size = {CELLS, CELLS, CELLS}};
     for (int is_fine = 0; is_fine <= (int)all.is_mesh; is_fine++) {
         const double cell = is_fine ? 0x1p-1074 : 1;
-        const tribox_grid grid = {{0, 0, 0}, {cell, cell, cell}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
+        const tribox_grid vast = {{0, 0, 0}, {cell, cell, cell}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
         memset(occupied, 0, sizeof occupied);
-        assert_int_equal(CALL(voxelize, &all, &grid, &corner, options, occupied, NULL), TRIBOX_OK);
+        assert_int_equal(CALL(voxelize, &all, &vast, &corner, options, occupied, NULL), TRIBOX_OK);
     }
     return NULL;
 }
@@ -81,7 +83,6 @@ static int take_no_lists(void *data, const uint32_t at[3], const uint64_t bits[8
 /* Without ids, with them, and with lists. */
 static void *make_bricks(void *options)
 {
-    static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
     static const tribox_tiles tiles = {TILE, 0, TILES};
     static const tribox_sink sink = {take_none, NULL};
     static const tribox_ids_sink ids = {take_no_ids, NULL};
@@ -99,7 +100,6 @@ static void *make_bricks(void *options)
 /* Of some cells, of which each has all triangles at the most. */
 static void *list_cells(void *options)
 {
-    static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
     static const tribox_window some = {{30, 40, 50}, {8, 4, 2}};
     assert_int_equal(CALL(cell_lists, &all, &grid, &some, options, starts, NULL), TRIBOX_OK);
     assert_int_equal(CALL(cell_lists, &all, &grid, &some, options, starts, list), TRIBOX_OK);
@@ -109,7 +109,6 @@ static void *list_cells(void *options)
 /* Without options, which these take but at EXACT. */
 static void *fill(void *options)
 {
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
     static uint64_t solid[sizeof occupied / sizeof occupied[0]];
     (void)options;
     memset(occupied, 0, sizeof occupied);
@@ -123,7 +122,6 @@ static void *fill(void *options)
 /* One box, upright and oriented, of triangles as they are, of an index and of an order. */
 static void *ask_box(void *options)
 {
-    static const tribox_box box = {{40, 40, 40}, {90, 80, 70}};
     static const tribox_oriented_box turned = {{60, 60, 60}, {30, 20, 10}, {{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}};
     static uint64_t mask[(TRIANGLES + 63) / 64];
     const tribox_index index = {.soup = all.is_mesh ? NULL : &all.soup, .mesh = all.is_mesh ? &all.mesh : NULL, .nodes = scratch};
@@ -143,7 +141,6 @@ static void *ask_box(void *options)
 /* A byte for each vertex is on the stack then. */
 static void *ask_indexed(void *options)
 {
-    static const tribox_box box = {{40, 40, 40}, {90, 80, 70}};
     static uint64_t mask[(TRIANGLES + 63) / 64];
     for (int is_double = 0; is_double < 2 && all.is_mesh; is_double++) {
         const tribox_mesh mesh = {.positions = is_double ? (const void *)positions : narrow,
