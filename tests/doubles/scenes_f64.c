@@ -296,54 +296,44 @@ static void draw_big_boxes(random_source *r, batch_f64 *batch)
 
 /* Geometry as it comes, near the origin and far from it. */
 
-static const tribox_box paper_box = {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
+static tribox_box cube(double lo, double hi) { return (tribox_box){{lo, lo, lo}, {hi, hi, hi}}; }
 
 static void draw_all(random_source *r, batch_f64 *batch, double least, double most)
 {
-    for (int k = 0; k < BATCH_F64; k++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                batch->u[k][j][a] = random_double(r, least, most);
+    for (int n = 0; n < 9 * BATCH_F64; n++)
+        batch->u[n / 9][n / 3 % 3][n % 3] = random_double(r, least, most);
 }
 
 static void draw_on_lattice(random_source *r, batch_f64 *batch, double origin, double step, int least, int most)
 {
-    for (int k = 0; k < BATCH_F64; k++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                batch->u[k][j][a] = origin + step * random_int_between(r, least, most);
+    for (int n = 0; n < 9 * BATCH_F64; n++)
+        batch->u[n / 9][n / 3 % 3][n % 3] = origin + step * random_int_between(r, least, most);
 }
 
 static void draw_paper(random_source *r, batch_f64 *batch)
 {
-    batch->box = paper_box;
+    batch->box = cube(-0.5, 0.5);
     draw_all(r, batch, -2, 2);
 }
 
 /* The same ten million units away. */
 static void draw_offset(random_source *r, batch_f64 *batch)
 {
-    for (int a = 0; a < 3; a++) {
-        batch->box.lo[a] = 1e7 - 0.5;
-        batch->box.hi[a] = 1e7 + 0.5;
-    }
+    batch->box = cube(1e7 - 0.5, 1e7 + 0.5);
     draw_all(r, batch, 1e7 - 2, 1e7 + 2);
 }
 
 /* Nanometres from the centre of the earth: what is asked is some units of the last place. */
 static void draw_nanometres(random_source *r, batch_f64 *batch)
 {
-    for (int a = 0; a < 3; a++) {
-        batch->box.lo[a] = 4e6 - 2e-9;
-        batch->box.hi[a] = 4e6 + 2e-9;
-    }
+    batch->box = cube(4e6 - 2e-9, 4e6 + 2e-9);
     draw_on_lattice(r, batch, 4e6, 2e-9, -4, 3);
 }
 
 /* Small triangles that are mostly far off. */
 static void draw_sparse(random_source *r, batch_f64 *batch)
 {
-    batch->box = paper_box;
+    batch->box = cube(-0.5, 0.5);
     for (int k = 0; k < BATCH_F64; k++)
         for (int a = 0; a < 3; a++) {
             const double about = random_double(r, -1.5, 1.5);
@@ -355,7 +345,7 @@ static void draw_sparse(random_source *r, batch_f64 *batch)
 /* Quarters: contact is common. */
 static void draw_lattice(random_source *r, batch_f64 *batch)
 {
-    batch->box = paper_box;
+    batch->box = cube(-0.5, 0.5);
     draw_on_lattice(r, batch, 0, 0.25, -8, 8);
 }
 
@@ -377,14 +367,9 @@ static void draw_far_lattice(random_source *r, batch_f64 *batch)
 
 static void draw_tenths(random_source *r, batch_f64 *batch)
 {
-    for (int a = 0; a < 3; a++) {
-        batch->box.lo[a] = 0.8;
-        batch->box.hi[a] = 1.7;
-    }
-    for (int k = 0; k < BATCH_F64; k++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                batch->u[k][j][a] = random_int(r, 26) / 10.0;
+    batch->box = cube(0.8, 1.7);
+    for (int n = 0; n < 9 * BATCH_F64; n++)
+        batch->u[n / 9][n / 3 % 3][n % 3] = random_int(r, 26) / 10.0;
 }
 
 /* Numbers that float has. */
@@ -586,13 +571,11 @@ static void draw_zero_faces(random_source *r, batch_f64 *batch)
 /* Vertices next to the faces of the paper's box. */
 static void draw_beside_faces(random_source *r, batch_f64 *batch)
 {
-    batch->box = (tribox_box){{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
-    for (int k = 0; k < BATCH_F64; k++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++) {
-                const double size = ldexp(1, -40 - random_int(r, 30)), face = any_sign(r, 0.5);
-                batch->u[k][j][a] = face + size * random_double(r, -1, 1);
-            }
+    batch->box = cube(-0.5, 0.5);
+    for (int n = 0; n < 9 * BATCH_F64; n++) {
+        const double size = ldexp(1, -40 - random_int(r, 30)), face = any_sign(r, 0.5);
+        batch->u[n / 9][n / 3 % 3][n % 3] = face + size * random_double(r, -1, 1);
+    }
 }
 
 /* Steep triangles that stand on a face with one vertex, or hang just off it: no axis but the normal of the face can tell. */
@@ -637,10 +620,8 @@ typedef double number_draw(random_source *r);
 
 static void draw_numbers(random_source *r, batch_f64 *batch, number_draw *draw)
 {
-    for (int k = 0; k < BATCH_F64; k++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                batch->u[k][j][a] = draw(r);
+    for (int n = 0; n < 9 * BATCH_F64; n++)
+        batch->u[n / 9][n / 3 % 3][n % 3] = draw(r);
 }
 
 static void draw_bounds(random_source *r, batch_f64 *batch, number_draw *draw)
@@ -676,10 +657,7 @@ static double up_to_max(random_source *r) { return random_double(r, -1, 1) * DBL
 
 static void draw_near_max(random_source *r, batch_f64 *batch)
 {
-    for (int a = 0; a < 3; a++) {
-        batch->box.lo[a] = -0.4 * DBL_MAX;
-        batch->box.hi[a] = 0.5 * DBL_MAX;
-    }
+    batch->box = cube(-0.4 * DBL_MAX, 0.5 * DBL_MAX);
     draw_numbers(r, batch, up_to_max);
 }
 
