@@ -1,7 +1,7 @@
 /*
- * test_forms.c - all forms of a question answer alike, and as the calls without an index do, bit by bit: soups, and meshes of floats
- * and of doubles in every layout, anywhere; hostile triangles and boxes, every kernel, accuracy and set of axes. An index's bytes
- * do not hang on layout and kernel; what is apart or inside is not read; a mesh that has changed since is safe. --long asks millions.
+ * test_forms.c - all forms of a question answer alike, and as the calls without an index do, bit by bit: soups, and meshes of
+ * floats and of doubles in every layout, anywhere; hostile triangles and boxes, every kernel, accuracy and set of axes. An index's
+ * bytes do not hang on layout and kernel; what is apart or inside is not read; a mesh that has changed since is safe.
  */
 #include <math.h>
 

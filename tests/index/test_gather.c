@@ -1,9 +1,12 @@
 /* test_gather.c - triangles in any order as streams: every range, and none beside it; an order, which is the same everywhere. */
+#include <math.h>
+
 #include "common/harness.h"
+#include "common/laid_mesh.h"
 #include "common/soup_or_mesh.h"
 #include "order_kinds.h"
 
-enum { COUNT = 90, VERTICES = 40 };
+enum { COUNT = 90 };
 
 static uint32_t order[COUNT];
 static guarded fence[9];
@@ -61,48 +64,30 @@ CASE(test_soups)
     order_room_free(&room);
 }
 
-/* A mesh of few vertices, beside the streams that it stands for. Its last vertex ends at a page. */
-static void check_mesh(random_source *r, unsigned index_bytes, size_t stride)
-{
-    const size_t vertices = index_bytes ? VERTICES : 3 * COUNT, step = stride ? stride : 12, bytes = (vertices - 1) * step + 12;
-    const guarded positions = guarded_make(bytes);
-    unsigned char *const at = guarded_tail(positions, bytes);
-    uint16_t narrow[3 * COUNT];
-    uint32_t wide[3 * COUNT];
-    static float stream[9][COUNT];
-    const tribox_soup soup = soup_of_rows(stream[0], COUNT, COUNT);
-    for (size_t i = 0; i < bytes; i++)
-        at[i] = (unsigned char)random_int(r, 256);
-    for (size_t corner = 0; corner < 3 * COUNT; corner++) {
-        const size_t vertex = index_bytes ? (size_t)random_int(r, VERTICES) : corner;
-        wide[corner] = narrow[corner] = (uint16_t)vertex;
-        for (size_t a = 0; a < 3; a++)
-            memcpy(&stream[3 * a + corner % 3][corner / 3], at + vertex * step + 4 * a, 4);
-    }
-    const tribox_mesh mesh = {.positions = at,
-                              .stride = stride,
-                              .vertices = vertices,
-                              .indices = index_bytes == 2 ? (void *)narrow
-                                         : index_bytes    ? (void *)wide
-                                                          : NULL,
-                              .index_bytes = index_bytes,
-                              .count = COUNT};
-    for (size_t first = 0; first <= COUNT; first += 1 + (size_t)random_int(r, 9)) {
-        const size_t count = (size_t)random_int_between(r, 0, (int)(COUNT - first));
-        lay_streams(count, random_int(r, 2));
-        assert_int_equal(tribox_mesh_gather(&mesh, NULL, order, first, count, to, to + 3, to + 6), TRIBOX_OK);
-        demand_streams(&soup, first, count);
-    }
-    guarded_free(positions);
-}
-
+/* Meshes of floats in any layout, beside the streams that they stand for. */
 CASE(test_meshes)
 {
+    static double u[COUNT][3][3];
+    static float stream[9][COUNT];
+    const tribox_soup soup = soup_of_rows(stream[0], COUNT, COUNT);
+    const laid_fences fences = laid_fences_make(args.seed);
     random_source r = random_named(args.seed, "meshes");
-    static const size_t strides[] = {0, 12, 13, 16, 40};
-    for (unsigned index_bytes = 0; index_bytes <= 4; index_bytes += 2)
-        for (size_t k = 0; k < sizeof strides / sizeof *strides; k++)
-            check_mesh(&r, index_bytes, strides[k]);
+    for (int round = 0; round < 60; round++) {
+        mesh_form form = mesh_form_draw(&r, true);
+        form.position_bytes = 4;
+        form.pattern = (index_pattern)random_int(&r, INDEX_PATTERNS);
+        for (int n = 0; n < 9 * COUNT; n++)
+            u[n / 9][n / 3 % 3][n % 3] = random_int(&r, 50) ? (float)random_double(&r, -1, 1) : INFINITY;
+        const tribox_mesh mesh = laid_mesh_of(&r, &form, (const double(*)[3][3])u, COUNT, (const int[]){0, 1, 2}, fences);
+        for (size_t n = 0; n < 9 * COUNT; n++)
+            stream[n % 9][n / 9] = laid_mesh_float(&mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
+        for (size_t first = 0; first <= COUNT; first += 1 + (size_t)random_int(&r, 9)) {
+            const size_t count = (size_t)random_int_between(&r, 0, (int)(COUNT - first));
+            lay_streams(count, random_int(&r, 2));
+            assert_int_equal(tribox_mesh_gather(&mesh, NULL, order, first, count, to, to + 3, to + 6), TRIBOX_OK);
+            demand_streams(&soup, first, count);
+        }
+    }
 }
 
 /* FNV-1a of an order. */
