@@ -22,6 +22,13 @@ static tribox_seen seen_alike(unsigned packets, unsigned rejecting)
     return seen;
 }
 
+static tribox_choice fresh(void)
+{
+    tribox_choice choice;
+    tribox_choice_start(&choice);
+    return choice;
+}
+
 static bool begins_with(const tribox_choice *choice, unsigned first)
 {
     const unsigned p = choice->sequence;
@@ -37,8 +44,7 @@ CASE(test_what_rejects_comes_first)
     for (unsigned packets = 4; packets <= 64; packets *= 2)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
-                tribox_choice choice;
-                tribox_choice_start(&choice);
+                tribox_choice choice = fresh();
                 const tribox_seen seen = seen_alike(packets, expected[i].rejecting);
                 tribox_choice_learn(&choice, &seen, accuracy);
                 assert_true(begins_with(&choice, expected[i].first));
@@ -48,8 +54,7 @@ CASE(test_what_rejects_comes_first)
 /* Nothing is rejected: edges and plane together cost the least. */
 CASE(test_nothing_rejected)
 {
-    tribox_choice choice;
-    tribox_choice_start(&choice);
+    tribox_choice choice = fresh();
     const tribox_seen seen = seen_alike(8, 0);
     tribox_choice_learn(&choice, &seen, TRIBOX_EXACT);
     assert_int_equal(choice.sequence, TRIBOX_SEQUENCE_132);
@@ -78,8 +83,7 @@ CASE(test_nature_changes)
 {
     for (unsigned packets = 4; packets <= 64; packets *= 2)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
-            tribox_choice choice;
-            tribox_choice_start(&choice);
+            tribox_choice choice = fresh();
             const tribox_seen far = seen_alike(packets, TRIBOX_AXES_BOX), cut = seen_alike(packets, PLANE);
             for (int k = 0; k < 1000; k++)
                 tribox_choice_learn(&choice, &far, accuracy);
@@ -94,9 +98,7 @@ CASE(test_nature_changes)
 /* One word that would go a little better in another order may be an exception; several are none. */
 CASE(test_exceptions)
 {
-    tribox_choice choice, fresh;
-    tribox_choice_start(&choice);
-    tribox_choice_start(&fresh);
+    tribox_choice choice = fresh(), other = fresh();
     const tribox_seen dense = seen_alike(8, 0);
     tribox_seen half = seen_alike(8, 0);
     half.rejected[PLANE] = half.rejected[TRIBOX_AXES_BOX | PLANE] = half.rejected[PLANE | EDGES] = 0x0f;
@@ -106,9 +108,9 @@ CASE(test_exceptions)
     assert_int_equal(choice.sequence, TRIBOX_SEQUENCE_132);
     for (int k = 0; k < 4; k++)
         tribox_choice_learn(&choice, &half, TRIBOX_EXACT);
-    tribox_choice_learn(&fresh, &half, TRIBOX_EXACT);
+    tribox_choice_learn(&other, &half, TRIBOX_EXACT);
     assert_int_not_equal(choice.sequence, TRIBOX_SEQUENCE_132);
-    assert_int_equal(choice.sequence, fresh.sequence);
+    assert_int_equal(choice.sequence, other.sequence);
 }
 
 /* The words at which surveys are due, in a call of `words` words that is asked block by block. */
@@ -134,8 +136,7 @@ CASE(test_places)
     static const size_t expected[] = {0, 16, 64, 192, 320}, blocks[] = {64, 8, 4};
     for (size_t b = 0; b < sizeof blocks / sizeof blocks[0]; b++) {
         size_t places[300];
-        tribox_choice choice;
-        tribox_choice_start(&choice);
+        tribox_choice choice = fresh();
         assert_int_equal(survey_places(&choice, 323, blocks[b], places), 4); /* three words are not worth a survey */
         assert_memory_equal(places, expected, 4 * sizeof *places);
         tribox_choice_start(&choice);

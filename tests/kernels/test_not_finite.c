@@ -121,9 +121,11 @@ static void check_each_stream(pair_list (*draw)(random_source *))
         }
 }
 
-CASE(test_each_vertex_and_axis_alone) { check_each_stream(draw_hits); }
-
-CASE(test_each_bound_alone) { check_each_stream(draw_boxes); }
+CASE(test_each_stream_alone)
+{
+    check_each_stream(draw_hits);
+    check_each_stream(draw_boxes);
+}
 
 /* Several at once, so that they meet: inf - inf, inf with NaN. */
 static void check_several(pair_list (*draw)(random_source *))
@@ -162,9 +164,11 @@ CASE(test_bad_in_words_inside)
         }
 }
 
-CASE(test_several_in_a_triangle) { check_several(draw_hits); }
-
-CASE(test_several_in_a_box) { check_several(draw_boxes); }
+CASE(test_several_at_once)
+{
+    check_several(draw_hits);
+    check_several(draw_boxes);
+}
 
 /* In the plane x + y = 2, across the edge x = y = 1 of the cube: it touches there, which a filter leaves undecided. */
 static const float touching[3][3] = {{2.25f, -0.25f, 0.5f}, {-0.25f, 2.25f, 0.25f}, {1.25f, 0.75f, -2}};
@@ -368,7 +372,6 @@ CASE(test_faces_on_tenths)
                 fail_msg("%s: %zu of %zu %s lost", names[k], lost[form][k], overlaps[form], form ? "boxes" : "triangles");
 }
 
-PROGRAM(RUN(test_sound_pairs_overlap), RUN(test_each_vertex_and_axis_alone), RUN(test_each_bound_alone),
-        RUN(test_bad_in_words_inside), RUN(test_several_in_a_triangle), RUN(test_several_in_a_box), RUN(test_bad_beside_undecided),
-        RUN(test_bad_triangle_and_many_boxes), RUN(test_empty_box_and_soup), RUN(test_empty_boxes), RUN(test_counts),
-        RUN(test_boxes_of_zeros), RUN(test_overflow_is_not_apart), RUN(test_faces_on_tenths))
+PROGRAM(RUN(test_sound_pairs_overlap), RUN(test_each_stream_alone), RUN(test_bad_in_words_inside), RUN(test_several_at_once),
+        RUN(test_bad_beside_undecided), RUN(test_bad_triangle_and_many_boxes), RUN(test_empty_box_and_soup), RUN(test_empty_boxes),
+        RUN(test_counts), RUN(test_boxes_of_zeros), RUN(test_overflow_is_not_apart), RUN(test_faces_on_tenths))
