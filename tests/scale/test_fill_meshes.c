@@ -1,14 +1,7 @@
 /* test_fill_meshes.c - real meshes filled both ways: what holds of all, and of those that are known to be closed or open. */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <math.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <cmocka.h>
-
+#include "common/harness.h"
 #include "common/real_meshes.h"
 
 enum { CELLS = 200 };
@@ -39,28 +32,23 @@ static tribox_soup soup_of(const mesh *m, const int vertex[3])
     return soup;
 }
 
-static uint64_t *words_of(const tribox_grid *grid)
+static void fill(const arguments *given, const char *name, const mesh *m)
 {
-    uint64_t *const words = calloc(tribox_window_words(grid->size), sizeof *words);
-    assert_non_null(words);
-    return words;
-}
-
-static void fill(const arguments *args, const char *name, const mesh *m)
-{
-    (void)args;
+    (void)given;
     const tribox_grid grid = grid_around(m);
     const tribox_soup soup = soup_of(m, (const int[]){0, 1, 2}), turned = soup_of(m, (const int[]){2, 1, 0});
-    uint64_t *const occupied = words_of(&grid), *const outside = words_of(&grid), *const parity = words_of(&grid),
-                    *const other = words_of(&grid);
+    const size_t words = tribox_window_words(grid.size);
+    uint64_t *const occupied = calloc(4 * words, sizeof *occupied), *const outside = occupied + words,
+                    *const parity = outside + words, *const other = parity + words;
     void *const scratch = malloc(tribox_fill_bytes(grid.size));
+    assert_true(occupied && scratch);
     size_t sealed, inside, odd_rows, only = 0;
     assert_int_equal(tribox_voxelize(&soup, &grid, NULL, NULL, occupied, NULL), TRIBOX_OK);
     assert_int_equal(tribox_fill_outside(grid.size, occupied, scratch, outside, &sealed), TRIBOX_OK);
     assert_int_equal(tribox_fill_parity(&soup, &grid, occupied, scratch, parity, &inside, &odd_rows), TRIBOX_OK);
     assert_int_equal(tribox_fill_parity(&turned, &grid, occupied, scratch, other, NULL, NULL), TRIBOX_OK);
-    assert_memory_equal(parity, other, tribox_window_words(grid.size) * sizeof *parity);
-    for (size_t w = 0; w < tribox_window_words(grid.size); w++)
+    assert_memory_equal(parity, other, words * sizeof *parity);
+    for (size_t w = 0; w < words; w++)
         only += (parity[w] & ~outside[w]) != 0;
     printf("%s: %zu cells not reached, %zu inside by parity, %zu odd rows\n", name, sealed, inside, odd_rows);
     if (!strcmp(name, "buildings.ply"))
@@ -68,9 +56,6 @@ static void fill(const arguments *args, const char *name, const mesh *m)
     if (!strcmp(name, "stanford-bunny.ply"))
         assert_true(odd_rows > 0);
     free(occupied);
-    free(outside);
-    free(parity);
-    free(other);
     free(scratch);
 }
 
