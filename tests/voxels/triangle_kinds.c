@@ -474,12 +474,9 @@ void put_mesh(random_source *r, cells_case *c)
         at.radius[a] = c->grid.size[a] * random_double(r, 0.1, 0.8);
     }
     const closed_mesh_sink to = {put, &at};
-    const int around = random_int_between(r, 3, 40), across = random_int_between(r, 3, 24), kind = random_int(r, 3);
-    if (kind == 0)
-        closed_globe(&to, around, across);
-    else if (kind == 1)
-        closed_torus(&to, around, across, 0.3);
-    else
-        for (int k = 0; k < 4; k++)
-            put_cuboid(r, &at);
+    const int cuboids = random_int(r, 3) ? 0 : 4;
+    if (!cuboids)
+        closed_any(&to, r);
+    for (int k = 0; k < cuboids; k++)
+        put_cuboid(r, &at);
 }

@@ -26,7 +26,7 @@ void draw_triangle(random_source *r, const triangle_kind *s, const cells_case *c
  */
 void put_triangles(random_source *r, const triangle_kind *s, size_t count, size_t cost, cells_case *c);
 
-/* Adds a sphere, a torus or cubes on planes of the grid: closed meshes that lie in the grid in part or wholly. */
+/* Adds a closed mesh, or cubes on planes of the grid, which lie in the grid in part or wholly. */
 void put_mesh(random_source *r, cells_case *c);
 
 #endif
