@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "common/harness.h"
-#include "grid_kinds.h"
+#include "kinds.h"
 
 enum { CELLS_MAX = 8000, PAIRS_A_ROUND = 100000 };
 
@@ -160,68 +160,52 @@ CASE(test_fineness)
     assert_in_range(served, 1000, SIZE_MAX);
 }
 
-/* As many planes as there can be: told at once. */
-CASE(test_longest)
+/* As many planes as there can be, told at once; a last plane that is no double, while the one before is; and what is no number. */
+CASE(test_ends)
 {
-    static const struct {
-        double origin, cell;
-        bool is_sound;
-    } of[] = {
-        {0, 0.1, true},
-        {0x1p52, 1, true},
-        {0x1p52 - 3.5, 1, false},
-        {0x1p53 - 0x1p31, 1, false},
-        {0x1p53 - 9, 1, false},
-        {-0x1p53, 1, true},
-        {-0x1p53 - 2, 1, false},
-        {-0x1p53 - 2, 2, true},
-        {0x1p52, 0.9, false},
-        {0x1p52, 1 - 0x1p-50, true},
-        {0x1p52, 1 - 0x1p-33, true},
-        {0x1p52, 1 - 0x1p-32, false},
-        {-0x1p-1042, 0x1p-1074, true},
-        {0x1p53 - 0x1p31 + 1, 2, false},
-        {0x1p53 - 0x1p31, 2, true},
-    };
-    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
-        const tribox_grid grid = {{of[k].origin, 0, 0}, {of[k].cell, 1, 1}, {UINT32_MAX, 1, 1}};
-        if (status_of(&grid) != (of[k].is_sound ? TRIBOX_OK : TRIBOX_BAD_GRID))
-            fail_msg("origin %a, cell %a", of[k].origin, of[k].cell);
-    }
-}
-
-/* The last plane is not a double, the one before is; and what is no number. */
-CASE(test_range)
-{
-    static const double bad_cell[] = {0, -0.0, -1, -0x1p-1074, NAN, INFINITY, -INFINITY};
-    static const double bad_origin[] = {NAN, INFINITY, -INFINITY};
-    for (int a = 0; a < 3; a++) {
+#define M UINT32_MAX
+    static const double sound[][3] = {{0, 0.1, M},
+                                      {0x1p52, 1, M},
+                                      {-0x1p53, 1, M},
+                                      {-0x1p53 - 2, 2, M},
+                                      {0x1p52, 1 - 0x1p-50, M},
+                                      {0x1p52, 1 - 0x1p-33, M},
+                                      {-0x1p-1042, 0x1p-1074, M},
+                                      {0x1p53 - 0x1p31, 2, M},
+                                      {0, 0x1p1022, 3},
+                                      {-DBL_MAX, DBL_MAX, 2}};
+    static const double unsound[][3] = {{0x1p52 - 3.5, 1, M},
+                                        {0x1p53 - 0x1p31, 1, M},
+                                        {0x1p53 - 9, 1, M},
+                                        {-0x1p53 - 2, 1, M},
+                                        {0x1p52, 0.9, M},
+                                        {0x1p52, 1 - 0x1p-32, M},
+                                        {0x1p53 - 0x1p31 + 1, 2, M},
+                                        {0, 0, 2},
+                                        {0, -0.0, 2},
+                                        {0, -1, 2},
+                                        {0, -0x1p-1074, 2},
+                                        {0, NAN, 2},
+                                        {0, INFINITY, 2},
+                                        {0, -INFINITY, 2},
+                                        {NAN, 1, 2},
+                                        {INFINITY, 1, 2},
+                                        {-INFINITY, 1, 2},
+                                        {0, 1, 0},
+                                        {0, 0x1p1022, 4},
+                                        {-DBL_MAX, DBL_MAX, 3}};
+#undef M
+    enum { SOUND = sizeof sound / sizeof sound[0], UNSOUND = sizeof unsound / sizeof unsound[0] };
+    for (int k = 0; k < 3 * (SOUND + UNSOUND); k++) {
+        const bool is_sound = k / 3 < SOUND;
+        const double *const of = is_sound ? sound[k / 3] : unsound[k / 3 - SOUND];
         tribox_grid grid = grid_of(2, 2, 1);
-        for (size_t k = 0; k < sizeof bad_cell / sizeof bad_cell[0]; k++) {
-            grid.cell[a] = bad_cell[k];
-            assert_int_equal(status_of(&grid), TRIBOX_BAD_GRID);
-        }
-        grid.cell[a] = 1;
-        for (size_t k = 0; k < sizeof bad_origin / sizeof bad_origin[0]; k++) {
-            grid.origin[a] = bad_origin[k];
-            assert_int_equal(status_of(&grid), TRIBOX_BAD_GRID);
-        }
-        grid = grid_of(2, 2, 1);
-        grid.size[a] = 0;
-        assert_int_equal(status_of(&grid), TRIBOX_BAD_GRID);
-        grid = grid_of(1, 1, 1);
-        grid.cell[a] = 0x1p1022;
-        grid.size[a] = 3;
-        assert_int_equal(status_of(&grid), TRIBOX_OK);
-        grid.size[a] = 4;
-        assert_int_equal(status_of(&grid), TRIBOX_BAD_GRID);
-        grid.origin[a] = -DBL_MAX;
-        grid.cell[a] = DBL_MAX;
-        grid.size[a] = 2;
-        assert_int_equal(status_of(&grid), TRIBOX_OK);
-        grid.size[a] = 3;
-        assert_int_equal(status_of(&grid), TRIBOX_BAD_GRID);
+        grid.origin[k % 3] = of[0];
+        grid.cell[k % 3] = of[1];
+        grid.size[k % 3] = (uint32_t)of[2];
+        if (status_of(&grid) != (is_sound ? TRIBOX_OK : TRIBOX_BAD_GRID))
+            fail_msg("origin %a, cell %a, size %a", of[0], of[1], of[2]);
     }
 }
 
-PROGRAM(RUN(test_cells), RUN(test_planes), RUN(test_words), RUN(test_fineness), RUN(test_longest), RUN(test_range))
+PROGRAM(RUN(test_cells), RUN(test_planes), RUN(test_words), RUN(test_fineness), RUN(test_ends))
