@@ -4,8 +4,7 @@
 
 #include "common/contact.h"
 #include "common/harness.h"
-#include "voxels/grid_kinds.h"
-#include "voxels/triangle_kinds.h"
+#include "voxels/kinds.h"
 
 enum { TRIANGLES = 70 };
 

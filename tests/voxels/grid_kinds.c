@@ -1,4 +1,4 @@
-#include "grid_kinds.h"
+#include "kinds.h"
 
 #include <float.h>
 #include <math.h>

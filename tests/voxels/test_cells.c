@@ -13,8 +13,7 @@
 #include "common/harness.h"
 #include "common/real_meshes.h"
 #include "common/window_bits.h"
-#include "grid_kinds.h"
-#include "triangle_kinds.h"
+#include "kinds.h"
 
 enum {
     ROUNDS = 12,                     /* of every kind of triangle in every kind of grid */

@@ -11,8 +11,7 @@
 
 #include "common/harness.h"
 #include "common/window_bits.h"
-#include "grid_kinds.h"
-#include "triangle_kinds.h"
+#include "kinds.h"
 
 enum { PAIRS_A_ROUND = 200, CELLS_MAX = 8000, TRIANGLES = 60 };
 

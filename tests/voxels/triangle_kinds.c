@@ -1,4 +1,4 @@
-#include "triangle_kinds.h"
+#include "kinds.h"
 
 #include <float.h>
 #include <math.h>
