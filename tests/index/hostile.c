@@ -176,33 +176,23 @@ void spoil_soup(random_source *r, dirt kind)
     if (!count || kind == DIRT_NONE)
         return;
     const size_t any = random_below(r, count);
-    switch (kind) {
-    case DIRT_ONE:
+    const size_t word = any / 64 * 64, node = any / TRIBOX_INDEX_BLOCK * TRIBOX_INDEX_BLOCK, last = (count - 1) / 64 * 64;
+    if (kind == DIRT_ONE)
         spoil_range(r, any, 1, 1);
-        break;
-    case DIRT_ONE_IN_A_WORD:
-        for (size_t first = 0; first < count; first += 64)
-            spoil_range(r, first + random_below(r, count - first < 64 ? count - first : 64), 1, 1);
-        break;
-    case DIRT_A_WORD:
-        spoil_range(r, any / 64 * 64, 64, 1);
-        break;
-    case DIRT_A_NODE:
-        spoil_range(r, any / TRIBOX_INDEX_BLOCK * TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK, 1);
-        break;
-    case DIRT_A_THIRD:
+    for (size_t first = 0; kind == DIRT_ONE_IN_A_WORD && first < count; first += 64)
+        spoil_range(r, first + random_below(r, count - first < 64 ? count - first : 64), 1, 1);
+    if (kind == DIRT_A_WORD)
+        spoil_range(r, word, 64, 1);
+    if (kind == DIRT_A_NODE)
+        spoil_range(r, node, TRIBOX_INDEX_BLOCK, 1);
+    if (kind == DIRT_A_THIRD)
         spoil_range(r, 1 % count, count, 3);
-        break;
-    case DIRT_TAIL:
-        spoil_range(r, (count - 1) / 64 * 64, 64, 1 + random_below(r, 9));
-        break;
-    case DIRT_ALL_BUT_ONE:
-        spoil_range(r, 0, any, 1);
-        spoil_range(r, any + 1 < count ? any + 1 : 0, any + 1 < count ? count : 0, 1);
-        break;
-    default:
-        spoil_range(r, 0, count, 1);
-    }
+    if (kind == DIRT_TAIL)
+        spoil_range(r, last, 64, 1 + random_below(r, 9));
+    if (kind == DIRT_ALL_BUT_ONE || kind == DIRT_ALL)
+        spoil_range(r, 0, kind == DIRT_ALL ? count : any, 1);
+    if (kind == DIRT_ALL_BUT_ONE)
+        spoil_range(r, any + 1, count, 1);
 }
 
 static bool is_finite_at(size_t i)
