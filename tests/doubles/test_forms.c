@@ -158,6 +158,15 @@ static double draw_from(random_source *r, const tribox_mesh *mesh, int a)
     return isfinite(x) ? x : 0;
 }
 
+/* Each stream at a place of its own. */
+static void place_streams(size_t count, int where, fenced stream[9], float *to[9])
+{
+    for (int s = 0; s < 9; s++) {
+        stream[s] = fenced_place(stream_fence[s], count * sizeof(float), where == AT_END ? AT_END : 4 * ((where + s) % 16));
+        to[s] = (float *)(void *)stream[s].at;
+    }
+}
+
 /* Each stream is the one-line definition; a NaN is any NaN. */
 static void check_local_streams(random_source *r, const tribox_mesh *mesh, const char *kernel, int where)
 {
@@ -167,10 +176,7 @@ static void check_local_streams(random_source *r, const tribox_mesh *mesh, const
     const tribox_options options = {.kernel = kernel};
     fenced stream[9];
     float *to[9];
-    for (int s = 0; s < 9; s++) {
-        stream[s] = fenced_place(stream_fence[s], count * sizeof(float), where == AT_END ? AT_END : 4 * ((where + s) % 16));
-        to[s] = (float *)(void *)stream[s].at;
-    }
+    place_streams(count, where, stream, to);
     say("tribox_mesh_to_soup", mesh, &options);
     assert_int_equal(tribox_mesh_to_soup(mesh, from, first, count, &options, to, to + 3, to + 6), TRIBOX_OK);
     for (int s = 0; s < 9; s++) {
@@ -195,16 +201,13 @@ static bool are_floats(size_t count)
 
 static float numbers[9][LAID_MOST];
 
-/* Some triangles as streams, each at a place of its own: those of `numbers`, bit for bit. */
+/* Some triangles as streams: those of `numbers`, bit for bit. */
 static void check_streams(const tribox_mesh *mesh, const char *kernel, size_t first, size_t count, int where)
 {
     const tribox_options options = {.kernel = kernel};
     fenced stream[9];
     float *to[9];
-    for (int s = 0; s < 9; s++) {
-        stream[s] = fenced_place(stream_fence[s], count * sizeof(float), where == AT_END ? AT_END : 4 * ((where + s) % 16));
-        to[s] = (float *)(void *)stream[s].at;
-    }
+    place_streams(count, where, stream, to);
     say("tribox_mesh_to_soup", mesh, &options);
     assert_int_equal(tribox_mesh_to_soup(mesh, NULL, first, count, &options, to, to + 3, to + 6), TRIBOX_OK);
     for (int s = 0; s < 9; s++) {
