@@ -1,5 +1,6 @@
 #!/bin/sh
-# Every vocabulary has the words of its one-lane definition, and each word is tested: vocabularies.sh SRC TEST...
+# Every vocabulary has the words of its one-lane definition, and each word is tested; the kernel text knows no instruction set, and
+# only the umbrella texts include others: vocabularies.sh SRC TEST...
 set -eu
 src=$1 status=0
 shift
@@ -24,5 +25,19 @@ for definition in "$src"/scalar/vec_scalar*.h; do
             status=1
         fi
     done
+done
+
+forbidden='__AVX|__SSE|__FMA|__ARM|__aarch64|__x86_64|__i386|_M_X64|TRIBOX_AVX|_mm_|_mm256_|_mm512_|__m128|__m256|__m512|__mmask'
+forbidden="$forbidden|float32x4|v[a-z]+q_f32"
+include='#[[:space:]]*include'
+for text in $(cd "$src/kernel" && find . -name '*.h' | sed 's,^\./,,'); do
+    case $text in
+    *_text.h) refused="$forbidden|$include[[:space:]]*[^\"[:space:]]" ;;
+    *) refused="$forbidden|$include" ;;
+    esac
+    if grep -nE "$refused" "$src/kernel/$text"; then
+        echo "src/kernel/$text: an instruction set (make it a word in vec_<isa>.h), or an include outside an umbrella text" >&2
+        status=1
+    fi
 done
 exit $status
