@@ -4,7 +4,7 @@
 #include "common/harness.h"
 #include "common/real_meshes.h"
 
-enum { CELLS = 200 };
+static const double cells = 200;
 
 static tribox_grid grid_around(const mesh *m)
 {
@@ -14,7 +14,7 @@ static tribox_grid grid_around(const mesh *m)
     for (int a = 0; a < 3; a++)
         longest = fmax(longest, (double)box.hi[a] - box.lo[a]);
     for (int a = 0; a < 3; a++) {
-        grid.cell[a] = nextafter(longest / CELLS, INFINITY);
+        grid.cell[a] = nextafter(longest / cells, INFINITY);
         grid.origin[a] = box.lo[a];
         grid.size[a] = (uint32_t)fmax(1, ceil(((double)box.hi[a] - box.lo[a]) / grid.cell[a]));
     }
