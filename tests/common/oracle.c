@@ -3,6 +3,12 @@
 #include <limits.h>
 #include <math.h>
 
+#include <gmp.h>
+
+typedef mpz_t num;
+#define NUM(name) mpz_##name
+#include "separating.h"
+
 /* A finite number as odd * 2^exponent; zero as 0. */
 static int64_t odd_of(double number, int *exponent)
 {
@@ -60,4 +66,20 @@ void oracle_explain(FILE *out, const pair_f64 *pair)
                 truth.apart >> k & 1      ? "apart"
                 : truth.touching >> k & 1 ? "touching"
                                           : "overlapping");
+}
+
+oracle_axes oracle_separating_gmp(const pair_f64 *pair)
+{
+    const oracle_integers in = oracle_integers_of(pair);
+    return separating(&in);
+}
+
+oracle_axes oracle_separating(const pair_f64 *pair)
+{
+    const oracle_integers in = oracle_integers_of(pair);
+#if defined(__SIZEOF_INT128__)
+    if (in.bits <= ORACLE_INT128_BITS)
+        return oracle_separating_int128(&in);
+#endif
+    return separating(&in);
 }
