@@ -170,6 +170,11 @@ void views()
     const tribox::box of_points(at.points[22], at.points[43]), of_arrays(corner[1], corner[2]);
     CHECK(of_points.lo[0] == 1 && of_points.hi[1] == 2 && of_points.hi[2] == double{at.points[43].z} && of_arrays.lo[2] == 5);
 
+    const std::vector<float> two = {1, 2}, other = {3, 4}, three(3);
+    const tribox::boxes pairs({two, two, other}, {other, two, other}), uneven({two, two, two}, {two, two, three});
+    CHECK(pairs.count == 2 && pairs.lo[1] == two.data() && pairs.lo[2] == other.data() && pairs.hi[0] == other.data());
+    CHECK(pairs.hi[1] == two.data() && tribox_overlap_boxes(pair[0][0], &uneven, nullptr, nullptr, nullptr) == TRIBOX_BAD_ARGUMENT);
+
     /* What is empty has no triangles. */
     const std::vector<float3> nothing;
     const std::vector<vertex> no_vertices;
@@ -407,6 +412,9 @@ void indexes()
         tribox::check(tribox_index_overlap(&c, &region, nullptr, nullptr, &counted));
         CHECK(counted.overlapping == wanted.size() && reinterpret_cast<uintptr_t>(c.nodes) % 64 == 0);
     }
+    tribox::buffer<uint32_t> from(3), into;
+    into = std::move(from);
+    CHECK(into.size() == 3 && from.size() == 0 && from.grow(2) && from.size() == 2);
     const std::vector<uint32_t> bad(1, scene::COUNT);
     CHECK(said([&](tribox::on_error to) { tribox::own_soup(at.mesh, bad, nullptr, to); }) == TRIBOX_BAD_VERTEX);
 }
