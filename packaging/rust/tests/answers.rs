@@ -75,6 +75,12 @@ fn forms_of_a_mesh() {
     let touching = Aabb { lo: [0.0; 3], hi: [0.2; 3] };
     assert_eq!(exact(&Mesh::new(&positions, &triangles), &touching).len(), 6);
     assert!(exact(&Mesh::new(&floats, &triangles), &touching).is_empty());
+    // A plane that misses the corner [1, 1, 1] by less than double can tell.
+    let beyond = 3.0 + 2.0 * f64::EPSILON;
+    let plane = [[beyond, 0.0, 0.0], [0.0, beyond, 0.0], [0.0, 0.0, beyond]];
+    let below = Aabb { lo: [0.5; 3], hi: [1.0; 3] };
+    assert!(exact(&Mesh::unindexed(&plane), &below).is_empty());
+    assert_eq!(overlap(&Mesh::unindexed(&plane), &below, Accuracy::Conservative).unwrap().overlapping(), 1);
     assert!(catch_unwind(|| Mesh::new(&[[0f32; 0]; 9], &[[0u32; 3]])).is_err());
     assert!(catch_unwind(|| Mesh::unindexed(&[[0f64; 3]; 4])).is_err());
     assert!(exact(&Mesh::unindexed::<f32, 3>(&[]), &aabb).is_empty());
