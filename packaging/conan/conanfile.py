@@ -1,4 +1,4 @@
-# A recipe of Conan 2, untried: no Conan was to be had. Whoever publishes fills in the address and the hash.
+# A recipe that no Conan 2 has run, only its steps by stand-ins, static. Whoever publishes fills in the address and the hash.
 from conan import ConanFile
 from conan.tools.cmake import CMake, cmake_layout
 from conan.tools.files import copy, get, rmdir

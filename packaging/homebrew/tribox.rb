@@ -1,4 +1,4 @@
-# A formula of Homebrew, untried: no brew was to be had. Whoever publishes fills in the addresses and the hash.
+# A formula that no brew has run, only its steps by stand-ins, on Linux. Whoever publishes fills in the addresses and the hash.
 class Tribox < Formula
   desc "Exact triangle-box overlap tests on many triangles at once"
   homepage "<address of this repository>"

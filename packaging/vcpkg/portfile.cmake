@@ -1,4 +1,5 @@
-# A port of vcpkg, untried: no vcpkg has run it. Whoever publishes fills in the address and the commit.
+# A port that no vcpkg has run. Its steps, by cmake alone, made a static package that find_package finds, for Debug and for Release.
+# Whoever publishes fills in the address and the commit.
 vcpkg_from_git(OUT_SOURCE_PATH SOURCE_PATH URL <address of this repository> REF <commit of v${VERSION}>)
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}")
 vcpkg_cmake_install()
