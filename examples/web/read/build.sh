@@ -13,12 +13,13 @@ command -v ccache >/dev/null && cc="ccache $cc"
 {
     echo "$here/read.c"
     echo "$root/src/base/status.c"
+    echo "$root/tools/without.c"
     for name in decimal memory numbers written_number; do echo "$root/tools/console/$name.c"; done
     find "$root/tools/read" -name '*.c' ! -name 'assimp_plugin.c' ! -name 'read_by_assimp.c' ! -name boxes.c ! -name reading.c \
         ! -name mesh_shift.c
 } | awk '{ printf "%03d.o %s\n", NR, $0 }' |
     xargs -P "$(nproc)" -L 1 sh -c '
-        $3 -std=c11 -O2 -fvisibility=hidden -ffunction-sections -Wall -Wextra -Werror -isystem "$1" \
+        $3 -std=c11 -O2 -fvisibility=hidden -ffunction-sections -Wall -Wextra -Werror -DWITHOUT_ASSIMP -isystem "$1" \
             -I"$2/include" -I"$2/src" -I"$2/tools" -c "$6" -o "$4/$5"' sh "$here" "$root" "$cc" "$work"
 $cc -nostartfiles -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,-O2 -Wl,--stack-first -Wl,-z,stack-size=262144 \
     -Wl,--export=malloc "$work"/*.o -o "$work/read.wasm"
