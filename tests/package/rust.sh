@@ -1,6 +1,6 @@
 #!/bin/sh
-# The crate as it is published: packed, unpacked, and tested without a network and without the tree, with warnings as errors. Then the one
-# in a clone is compiled from the clone's sources, and one without any says so: rust.sh ROOT
+# The crate as it is published: packed, unpacked, and tested without a network and without the tree, with warnings as errors. Then
+# the one in a clone is compiled from the clone's sources, and one without any says so: rust.sh ROOT
 . "$(dirname "$0")/parts.sh"
 command -v cargo >/dev/null || skip "there is no cargo"
 test -z "$SANITIZER" || skip "Rust links no sanitizer's runtime"
