@@ -230,7 +230,7 @@ class Sharing(cases.TestCase):
             self.refuse(tribox.BadIndexError, "BAD_VERTEX", rf"faces\[{len(faces) - 1}, 1\] is 9", tribox.Index,
                         (np.zeros((9, 3)), faces),
                         keep_order=keep_order, threads=2)
-        self.refuse(tribox.InputError, None, "^threads = 0", tribox.Index, self.triangles, threads=0)
+        self.refuse(tribox.InputError, None, "^threads = -1", tribox.Index, self.triangles, threads=-1)
 
     def test_lists(self):
         index, pick = tribox.Index(np.resize(cases.lattice(500), (3000, 3, 3))), np.random.default_rng(cases.seed())
