@@ -185,7 +185,11 @@ enum {
     TRIBOX_AXES_ALL = 7    /* all thirteen axes */
 };
 
-/** Options of a call. Zero-initialised, they are the defaults: exact, all thirteen axes, the best order and kernel. */
+/**
+ * Options of a call. Zero-initialised, they are the defaults: exact, all thirteen axes, the best order and kernel. Two orders of a
+ * soup that begin alike with the plane or the edges, 213 and 231, 312 and 321, are one way: that group alone, then all others
+ * together. A mesh, boxes and a call without some of the groups take one way, whatever the order.
+ */
 typedef struct tribox_options {
     tribox_accuracy accuracy; /* TRIBOX_EXACT by default */
     unsigned axes;            /* a union of TRIBOX_AXES_*; 0 for all */
