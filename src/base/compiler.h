@@ -6,10 +6,9 @@
 #include <stdint.h>
 
 /*
- * Arithmetic as it is written, whatever the flags say: FMA only where a vocabulary says so (README, "Why the answers may be
- * trusted"). gcc 12 forgets to round in (double)(float)x where it makes vectors of two doubles of a short loop, from -O2 on. By LTO
- * gcc inlines no function into one of other arithmetic. clang minds no pragma under -ffp-contract=fast, and has no macro that tells
- * of it: dispatch.c finds out.
+ * Arithmetic as it is written, whatever the flags say: FMA only where a vocabulary says so (PROOFS.md 12). gcc 12 forgets to
+ * round in (double)(float)x where it makes vectors of two doubles of a short loop, from -O2 on. By LTO gcc inlines no function into
+ * one of other arithmetic. clang minds no pragma under -ffp-contract=fast, and has no macro that tells of it: dispatch.c finds out.
  */
 #if defined(__clang__)
 #if defined(__x86_64__) || defined(__i386__) /* others warn that they have no such pragma */
