@@ -95,7 +95,8 @@ typedef struct tribox_boxes {
 
 /**
  * A triangle soup: nine streams (structure of arrays). Index: vertex first, then triangle. Each stream has `count` floats, at any
- * alignment; it may be NULL when count is 0. An array of triangles of nine numbers is no soup but a tribox_mesh without indices.
+ * alignment; it may be NULL when count is 0. An array of triangles of nine numbers each is not a soup: it is a tribox_mesh without
+ * indices.
  */
 typedef struct tribox_soup {
     const float *x[3]; /* x[v][i]: the x of vertex v (0, 1, 2) of triangle i */
@@ -109,12 +110,13 @@ typedef struct tribox_soup {
  * triangle. Vertex v of triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices. Zero-initialise fields
  * that you do not set.
  *
- * For a matrix whose columns are x, y and z, axis_stride is the size of a column in bytes. The stride is then position_bytes, and 0
- * stands for that. An axis_stride of position_bytes means what 0 means, and then a stride of 0 stands for 12, or 24 for doubles.
+ * For a matrix whose columns are x, y and z, set axis_stride to the size of a column in bytes; a stride of 0 then means
+ * position_bytes. An axis_stride of 0 or position_bytes means that x, y and z are adjacent; a stride of 0 then means 12, or 24 for
+ * doubles.
  *
- * axes names the stored numbers anew: 321 takes the third for x and the first for z. Rows of a grid then run along others, and
- * nothing is copied: with 321 the bits lie as in a C array occupied[x][y][z], and with 231, where y is up, a column is a row.
- * Boxes and grids are of the axes so named. Voxelizing takes as long as without. About single boxes, rather turn the box's axes.
+ * axes renames the stored numbers: 321 takes the third as x and the first as z. Rows of a grid then run along another axis, and
+ * nothing is copied: with 321 the bits lie as in a C array occupied[x][y][z], and with 231, if y is up, a column is a row. Boxes
+ * and grids use the renamed axes. Voxelizing takes the same time. For single boxes, rename the axes of the box instead.
  */
 typedef struct tribox_mesh {
     const void *positions;   /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */
@@ -152,21 +154,21 @@ TRIBOX_API const char *tribox_version(void);
 TRIBOX_API const char *tribox_status_text(tribox_status status);
 
 /**
- * How accurate an answer has to be. CONSERVATIVE and FAST err only within rounding of contact: if, on some axis, the projections of
- * triangle and box are apart, or overlap, by less than single precision can tell. Let F_a be the triangle's extent on axis a, and
- * m_a the greatest distance on that axis of a point of the triangle from a point of the box. The projections are dot products with
- * the axis. They may be wrong by less than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, by
- * less than 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y) for the triangle's normal, and by less than 2^-64 if products or
- * lengths underflow.
+ * How accurate an answer has to be. CONSERVATIVE and FAST err only within rounding of contact, which means that on some axis the
+ * projections of triangle and box are apart, or overlap, by less than single precision can tell. Let F_a be the triangle's extent
+ * on axis a, and m_a the greatest distance on that axis of a point of the triangle from a point of the box. The projections are dot
+ * products with the axis. They may be wrong by less than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of
+ * axes a and b, by less than 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y) for the triangle's normal, and by less than 2^-64 if
+ * products or lengths underflow.
  *
- * The guarantee is weak if the axis is short: the normal of a segment or sliver, or an axis of an edge far shorter than the
- * others. Rounding alone then decides whether it separates, and FAST can miss a triangle that runs straight through the box: most
- * of the segments that are much longer than the box, and some of the slivers that are more than 2^16 times as long as high, or
- * 2^16 / k times if they are k times as long as a side of the box. Use EXACT or CONSERVATIVE for these, and EXACT if triangles lie
- * in faces of boxes: in rounded coordinates, such as tenths, rounding alone has the sign of a tie, and FAST is wrong about some of
- * these contacts, up to three times as often as the paper's test in float (PROOFS.md 10). With TRIBOX_AXES_BOX |
- * TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST about slivers, but then also reports wider triangles that only the
- * plane separates.
+ * The guarantee is weak if the axis is short: the normal of a segment or sliver, or an axis of an edge far shorter than the others.
+ * Rounding alone then decides whether that axis separates, and FAST can miss a triangle that runs straight through the box. It
+ * misses most segments that are much longer than the box, and some slivers that are more than 2^16 times as long as high (2^16 / k
+ * times if they are k times as long as a side of the box). Use EXACT or CONSERVATIVE for these. Use EXACT if triangles lie in faces
+ * of boxes: if coordinates are rounded, to tenths for example, rounding alone decides the sign of a tie. FAST is wrong about some
+ * of these contacts, up to three times as often as the paper's test in float (PROOFS.md 10). With TRIBOX_AXES_BOX |
+ * TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST on slivers, but also reports wider triangles that only the plane
+ * separates.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
@@ -186,9 +188,9 @@ enum {
 };
 
 /**
- * Options of a call. Zero-initialised, they are the defaults: exact, all thirteen axes, the best order and kernel. Two orders of a
- * soup that begin alike with the plane or the edges, 213 and 231, 312 and 321, are one way: that group alone, then all others
- * together. A mesh, boxes and a call without some of the groups take one way, whatever the order.
+ * Options of a call. Zero-initialised, they are the defaults: exact, all thirteen axes, the best order and kernel. For a soup,
+ * orders 213 and 231 run the same code, as do 312 and 321: their first group alone, then the two others together. For a mesh, for
+ * boxes, and for a call without some of the groups, the order makes no difference.
  */
 typedef struct tribox_options {
     tribox_accuracy accuracy; /* TRIBOX_EXACT by default */
@@ -212,7 +214,7 @@ typedef struct tribox_report {
  * Tests every triangle of a soup against one box.
  * Bit i % 64 of mask[i / 64] is set if triangle i overlaps the box; bits past count are zero.
  *
- * soup: nine streams of soup->count floats. Streams that are no longer needed are not loaded.
+ * soup: nine streams of soup->count floats. A stream is not loaded once no triangle needs it.
  * box: finite bounds, or TRIBOX_BAD_BOX; nothing overlaps the empty box (lo > hi on an axis).
  * options: NULL for the defaults.
  * mask: tribox_mask_words(soup->count) words, all of them written; NULL if only the counts are wanted.
@@ -229,18 +231,18 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * tested there.
  *
  * EXACT is the true answer about the box given by these doubles, for every finite input: if rounding of the move could change the
- * answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by what the move can have rounded. So it also reports
- * a triangle that overlaps if each half length is greater by 2^-17 of |axis| * |p - center|, where p is its own farthest vertex,
- * or by 2^-12 of |axis| times the greatest half / |axis|; no other triangle of the call matters. FAST moves and tests in single
- * precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and slivers as tribox_overlap does,
- * including those that the move makes thin. A triangle that is outside along one axis of the box is mostly rejected while it is
- * moved.
+ * answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by what the move can have rounded. A false positive
+ * would overlap if each half length were greater by 2^-17 of |axis| * |p - center|, where p is its own farthest vertex, or by 2^-12
+ * of |axis| times the greatest half / |axis|. No other triangle of the call matters. FAST moves and tests in single precision; add
+ * 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and slivers as tribox_overlap does, including
+ * triangles that the move makes thin. Most triangles that are outside along one axis of the box are rejected while they are moved.
  *
- * An axis of the box that is an axis of space, of length 1, and 0 in the two other axes of the box, moves no float: a box that is
- * turned about the vertical and stands on the floor of a model takes little longer than one just above it. With three such axes
- * EXACT is tribox_overlap, of the same mask, where double holds the bounds of the box. Of other faces EXACT leaves every triangle
- * that lies in one to the last stage, and of flat boxes (a half length of zero) every overlap. That takes half a microsecond each,
- * or some microseconds, rarely tens, if double cannot tell a sign. Positions that are doubles are all moved.
+ * If an axis of the box is a unit vector along an axis of space, and the two other axes of the box are 0 there, no float is moved
+ * along it. So a box that is turned about the vertical and stands on the floor of a model takes little longer than one just above
+ * the floor. If all three axes are like that, and double holds the bounds of the box, EXACT is tribox_overlap. Otherwise EXACT
+ * leaves every triangle that lies in a turned face to the last stage, and for a flat box (a half length of zero) every overlap. The
+ * last stage takes half a microsecond a triangle, or some microseconds, rarely tens, if double cannot tell a sign. Positions of
+ * double are always moved.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is
@@ -254,12 +256,12 @@ TRIBOX_API tribox_status tribox_overlap_oriented(const tribox_soup *soup, const 
 /** What tribox_find looks for. */
 typedef enum tribox_find_what {
     TRIBOX_FIRST_HIT, /* the first triangle that overlaps the box: do any? */
-    TRIBOX_FIRST_MISS /* the first that does not, as one with a NaN or infinite coordinate does not: do all? */
+    TRIBOX_FIRST_MISS /* the first that does not, which one with a NaN or infinite coordinate never does: do all? */
 } tribox_find_what;
 
 /**
- * Finds the first triangle of a soup that overlaps the box, or the first that misses it. The search ends with its block of some
- * thousand triangles.
+ * Finds the first triangle of a soup that overlaps the box, or the first that misses it. The search stops at the end of the block,
+ * of some thousand triangles, in which that triangle lies.
  *
  * triangle: receives the triangle's number, or soup->count if there is none.
  *
@@ -270,10 +272,10 @@ TRIBOX_API tribox_status tribox_find(const tribox_soup *soup, const tribox_box *
                                      tribox_find_what what, size_t *triangle);
 
 /**
- * Divides the triangles of a soup into those that miss the box (bit clear in both masks), straddle its border (set in mask alone)
- * and lie wholly inside (set in both), as tree builders need. A triangle is inside if its three vertices are in the closed box.
- * That part is exact at every accuracy, and a triangle that is inside overlaps. FAST may answer parts of the soup as EXACT does, if
- * that costs no more.
+ * Divides the triangles of a soup into three kinds, as tree builders need: triangles that miss the box (bit clear in both masks),
+ * straddle its border (set in mask alone) or lie wholly inside (set in both). A triangle is inside if its three vertices are in the
+ * closed box. Inside is exact at every accuracy, and a triangle that is inside overlaps. FAST may answer parts of the soup as EXACT
+ * does, if EXACT costs no more.
  *
  * inside: tribox_mask_words(soup->count) words, all of them written; NULL if not wanted.
  *
@@ -290,14 +292,14 @@ TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_b
  * tribox_overlap for a mesh as it is, of floats or doubles: exact for every finite number, however far from the origin, without
  * memory for streams. Moving the mesh towards the origin first is unnecessary, and gains nothing.
  *
- * mesh: read from where it lies, in blocks that fit the cache. With indices each vertex is compared with the box once, and most
- *   triangles are told by that, as long as the vertices that follow each other in the triangles are near each other in number: most
- *   files list them so. FAST about floats does without.
+ * mesh: read in place, in blocks that fit the cache. With indices each vertex is compared with the box once. That decides most
+ *   triangles, as long as triangles near each other in the list use vertices near each other in number, as in most files. FAST does
+ *   not do this for floats.
  * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count. For floats the same bits as for the
- *   nine streams of the triangles, at every accuracy. For doubles, and floats with an axis_stride other than position_bytes, FAST
- *   is the same as CONSERVATIVE: it never misses, and reports too much only within the bounds of tribox_accuracy, for doubles with
- *   2^-47 in place of 2^-19. The order of the axes is then ignored, and only all axes or TRIBOX_AXES_BOX alone are fast: other sets
- *   take the second stage for every triangle that the box normals leave.
+ *   nine streams of the triangles, at every accuracy. For doubles, and for floats with an axis_stride other than position_bytes,
+ *   FAST is the same as CONSERVATIVE: it never misses, and any false positives lie within the bounds of tribox_accuracy, for
+ *   doubles with 2^-47 in place of 2^-19. The order of the axes is then ignored. Only all axes, or TRIBOX_AXES_BOX alone, are fast:
+ *   with other sets every triangle that the box normals leave takes the second stage.
  *
  * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also if a size or a stride of the mesh is not allowed, or a reserved number
  * is not zero; TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
@@ -314,9 +316,9 @@ TRIBOX_API tribox_status tribox_mesh_classify(const tribox_mesh *mesh, const tri
 
 /**
  * tribox_overlap_oriented for a mesh as it is. EXACT is the true answer about its numbers, for every finite double and every finite
- * box. For floats the bits are those of the nine streams of the triangles, at every accuracy. Doubles are rounded to float relative
- * to the center of the box, so no distance from the origin makes an answer slower or less accurate. If a product of their distance
- * and an axis is beyond 2^97, or float is too narrow for the box, every pair takes the last stage.
+ * box. For floats it gives the same bits as for the nine streams of the triangles, at every accuracy. Doubles are rounded to float
+ * relative to the center of the box, so no distance from the origin makes an answer slower or less accurate. If the product of that
+ * distance and an axis exceeds 2^97, or float is too narrow for the box, every triangle takes the last stage.
  *
  * Other arguments and the returned status are as for tribox_overlap_oriented and tribox_mesh_overlap.
  */
@@ -339,11 +341,11 @@ TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_
  * of triangles or, with a middle at an end of some axes, a quadtree or a k-d tree. Bit c of children[i] is set if triangle list[i]
  * overlaps child c.
  *
- * Child c has on axis a the bounds lo .. middle where bit a of c is clear, and middle .. hi where it is set. Children are closed: a
- * triangle that touches the plane between two of them overlaps both. EXACT is tribox_overlap of each child, about the bounds as
- * doubles; the other accuracies answer within the bounds of tribox_accuracy.
+ * On axis a, child c has the bounds lo .. middle if bit a of c is clear, and middle .. hi if it is set. Children are closed: a
+ * triangle that touches the plane between two children overlaps both. EXACT is tribox_overlap of each child, with its bounds as
+ * doubles. The other accuracies answer within the bounds of tribox_accuracy.
  *
- * For the cells of a uniform grid do not build top-down: tribox_bricks gives those of the lowest level many times as fast.
+ * For the cells of a uniform grid, do not build top-down: tribox_bricks gives the cells of the lowest level many times as fast.
  *
  * soup: nine streams of soup->count floats.
  * list: `count` triangle numbers, in any order, and any of them more than once. NULL for all triangles of the soup: count is then
@@ -382,11 +384,11 @@ TRIBOX_API tribox_status tribox_mesh_split(const tribox_mesh *mesh, const uint32
  * Tests one triangle against many boxes, of any sizes and at any places.
  * Bit i % 64 of mask[i / 64] is set if the triangle overlaps box i; bits past count are zero.
  *
- * A call pays from some eight boxes on. For many triangles against the children of a box there is tribox_split, for the cells of a
- * grid tribox_voxelize and tribox_bricks, each many times as fast.
+ * A call pays from some eight boxes on. For many triangles against the children of a box use tribox_split, and for the cells of a
+ * grid tribox_voxelize or tribox_bricks: each is many times as fast.
  *
- * Bounds are floats, as the kernel has a box in each lane: doubles would fill twice as many. Rounding bounds changes answers: if
- * yours are no floats, ask tribox_overlap about each box, or the calls just named, which all take doubles.
+ * Bounds are floats, as the kernel has a box in each lane: doubles would take twice as many lanes. Rounding bounds changes answers.
+ * If yours are not floats, call tribox_overlap for each box, or one of the calls just named, which all take doubles.
  *
  * triangle: triangle[3 * v + a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing.
  * boxes: six streams of boxes->count floats. A box that is empty, or has a NaN or infinite bound, overlaps nothing. This is not an
@@ -405,15 +407,16 @@ TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[9], const tri
 
 /**
  * An index over a soup or a mesh: a tree of bounding boxes, of every 64 triangles, of every 64 of those boxes, and so on, in memory
- * that you provide. A query then takes time for its answer and for the border of the box, not for all triangles. Answers are those
- * of tribox_overlap or tribox_mesh_overlap, bit for bit, and for doubles exact about the doubles.
+ * that you provide. The time of a query then grows with its answer and with the border of the box, not with the number of
+ * triangles. Answers are the same, bit for bit, as by tribox_overlap or tribox_mesh_overlap, and for doubles exact about the
+ * doubles.
  *
  * It pays if triangles that are near in number are near in space, as tribox_soup_sort and tribox_mesh_sort order them. Any other
  * order gives the same answers, at worst at about the speed of no index.
  *
- * The nodes may be copied, mapped, or written to a file for the same version of the library and byte order: they hold no addresses.
- * Whatever they contain, nothing is read outside them and the triangles. That also holds if the triangles have changed since: one
- * that refers to a vertex that does not exist then overlaps nothing. Any number of threads may query at once.
+ * The nodes hold no addresses: they may be copied, mapped, or written to a file for the same version of the library and the same
+ * byte order. Whatever they contain, nothing is read outside them and the triangles, even if the triangles have changed since. A
+ * triangle that then refers to a vertex that does not exist overlaps nothing. Any number of threads may query at once.
  */
 typedef struct tribox_index {
     const void *nodes;       /* tribox_index_bytes(count) bytes, at any alignment, fastest at 64; not read by a build */
@@ -434,7 +437,7 @@ TRIBOX_API size_t tribox_index_bytes(size_t count);
 
 /**
  * Builds an index: reads its soup or mesh once, and writes the nodes. Triangles with a NaN or infinite coordinate overlap nothing,
- * and do not slow down queries about the triangles around them.
+ * and do not slow down queries near other triangles.
  *
  * options: only the kernel matters; NULL for the best. Every kernel builds the same bytes, and so do a soup and a mesh of floats.
  * nodes: tribox_index_bytes(count of triangles) bytes, all of them written. Must not overlap the triangles.
@@ -449,13 +452,13 @@ TRIBOX_API tribox_status tribox_index_build(const tribox_index *index, const tri
 enum { TRIBOX_INDEX_BLOCK = 4096 };
 
 /**
- * Brings an index up to date after only triangles first .. first + count - 1 have changed: to the bytes that tribox_index_build
- * would write.
+ * Brings an index up to date if only triangles first .. first + count - 1 have changed. The bytes are then the ones that
+ * tribox_index_build would write.
  *
  * Threads may share this work, or that of a build, by ranges of whole blocks, which begin at a multiple of TRIBOX_INDEX_BLOCK and
- * end at one or with the triangles. An update of such a range writes nothing that others share, unless it is of all triangles, so
- * any number of threads may update such ranges at once. When all are done, finish the index with one call of count 0; before that
- * call answers may be wrong.
+ * end at one or with the triangles. An update of such a range writes nothing that other ranges share, unless it is of all
+ * triangles, so any number of threads may update ranges at once. When all are done, finish the index with one call of count 0.
+ * Before that call, answers may be wrong.
  *
  * index, options: as for tribox_index_build.
  * nodes: of an index over as many triangles.
@@ -467,17 +470,16 @@ TRIBOX_API tribox_status tribox_index_update(const tribox_index *index, size_t f
                                              void *nodes);
 
 /**
- * tribox_overlap, or its form for a mesh or an oriented box, by an index. EXACT and CONSERVATIVE give the same mask; FAST gives
- * that mask, plus all triangles of groups of 64 that lie wholly inside the box, as these are not tested. For an oriented box
- * CONSERVATIVE and FAST may differ from the call without an index within rounding of contact, as groups that certainly miss it, or
- * certainly lie inside, are not tested.
+ * tribox_overlap, or its form for a mesh or an oriented box, by an index. EXACT and CONSERVATIVE give the same mask as that call.
+ * FAST adds all triangles of groups of 64 that lie wholly inside the box, as it does not test them. For an oriented box
+ * CONSERVATIVE and FAST may differ, within rounding of contact, from the call without an index: groups that certainly miss the box,
+ * or certainly lie inside, are not tested.
  *
- * index: with the nodes, and the triangles that they were built over. With other triangles or damaged nodes the answers are wrong,
- *   but nothing worse happens.
+ * index: the nodes, and the triangles that they were built over. With other triangles or damaged nodes the answers are wrong, but
+ *   nothing worse happens.
  * region: finite, or TRIBOX_BAD_BOX.
- * options: as for tribox_overlap, but the axes must include TRIBOX_AXES_BOX, as without it triangles far away overlap, too.
- * mask: all of its words are written, however few triangles overlap; NULL only counts them, which writes nothing and reads the
- *   least.
+ * options: as for tribox_overlap, but the axes must include TRIBOX_AXES_BOX, because without it triangles far away overlap too.
+ * mask: all of its words are written, however few triangles overlap. With NULL the call only counts, and reads the least.
  *
  * Other arguments and the returned status are as for tribox_overlap, tribox_mesh_overlap or tribox_overlap_oriented, except that
  * vertices are not checked again; TRIBOX_BAD_ARGUMENT also if tribox_index_build returns it, or if region does not have exactly one
@@ -528,8 +530,8 @@ TRIBOX_API tribox_status tribox_index_lists(const tribox_index *index, const tri
                                             size_t room, uint32_t *list, size_t *start);
 
 /**
- * Finds any one triangle that overlaps the region: not the first, but at EXACT the same on every processor. At FAST it may be one
- * that lies wholly inside and that FAST otherwise misses.
+ * Finds any one triangle that overlaps the region: not the first, but at EXACT the same one on every processor. FAST may find a
+ * triangle that lies wholly inside and that tribox_overlap misses at FAST.
  *
  * triangle: receives its number, or the count of triangles if none overlaps.
  *
@@ -542,9 +544,9 @@ TRIBOX_API tribox_status tribox_index_any(const tribox_index *index, const tribo
  * Finds an order in which triangles that are near in number are near in space: order[k] is the triangle that comes k-th. It is the
  * same on every processor.
  *
- * The triangles are cut in two across the longest side of their extent, and so are the parts, down to the 64 of a word; at
- * multiples of the greatest power of 64 below the count, so that no node of an index straddles a cut. Triangles are compared by the
- * middle of their bounding box, then by number; those with a NaN or infinite coordinate come last. The time grows with count *
+ * The triangles are cut in two across the longest side of their extent, and so are the parts, down to the 64 of a word. Cuts lie at
+ * multiples of the greatest power of 64 below the count, so that no node of an index straddles one. Triangles are compared by the
+ * middle of their bounding box, then by number. Triangles with a NaN or infinite coordinate come last. The time grows with count *
  * log(count), whatever the triangles are. tribox_threads.h has the single steps, for threads that share the work.
  *
  * order: room for soup->count numbers.
@@ -555,13 +557,13 @@ TRIBOX_API tribox_status tribox_index_any(const tribox_index *index, const tribo
  */
 TRIBOX_API tribox_status tribox_soup_sort(const tribox_soup *soup, uint32_t *order, void *scratch);
 
-/** tribox_soup_sort for boxes. Those with a NaN or infinite bound come last. */
+/** tribox_soup_sort for boxes. Boxes with a NaN or infinite bound come last. */
 TRIBOX_API tribox_status tribox_boxes_sort(const tribox_boxes *boxes, uint32_t *order, void *scratch);
 
 /**
  * tribox_soup_sort for a mesh. Floats have the order of the nine streams of the triangles. Doubles are rounded to float relative to
- * the middle one of up to 64 vertices from all over the mesh, axis by axis, times a power of two if they lie very far apart or very
- * close. So the order is as good far from zero, in any unit of length, and with a few triangles far from all others.
+ * the median of up to 64 vertices from all over the mesh, axis by axis, after scaling by a power of two if they lie very far apart
+ * or very close. So the order is as good far from zero, in any unit of length, and with a few triangles far from all others.
  *
  * Other arguments and the returned status are as for tribox_soup_sort; TRIBOX_BAD_ARGUMENT also if tribox_mesh_overlap returns it,
  * TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
@@ -643,34 +645,34 @@ TRIBOX_API size_t tribox_window_cells(const uint64_t *occupied, const uint32_t s
  * the surface is marked: a cell inside a closed mesh that no triangle overlaps stays clear.
  *
  * EXACT is by definition tribox_overlap of every triangle with every tribox_grid_cell, for every axis set. CONSERVATIVE sets a
- * superset of it: with all axes, with BOX, or with BOX and EDGES the extra cells miss their triangle by less than 2^-7 of a cell on
- * some axis, and by more only where there are more than 2^13 cells along an axis, or floats near the window are hardly finer than
- * its cells; with other sets of axes a triangle whose vertices are nearly on a line may set cells farther away. FAST uses the same
+ * superset. With all axes, with BOX, or with BOX and EDGES, the extra cells miss their triangle by less than 2^-7 of a cell on some
+ * axis, and by more only if there are more than 2^13 cells along an axis, or if floats near the window are hardly finer than its
+ * cells. With other sets of axes, a triangle whose vertices are nearly on a line may set cells farther away. FAST uses the same
  * limits without error bounds, except for that of the plane, and may err as much either way. Triangles may lie partly or wholly
  * outside the grid.
  *
- * window: the cells that are wanted; NULL for the whole grid. EXACT gives the bits of the whole grid, and so do the others where
- *   the window is of whole layers, of a grid with at most 2^30 of them: for threads, each of which owns some layers. Other windows
- *   may differ from the whole within rounding of contact. What lies outside the window costs next to nothing.
+ * window: the cells that are wanted; NULL for the whole grid. EXACT gives the bits of the whole grid. So do the other accuracies if
+ *   the window consists of whole layers of a grid with at most 2^30 layers: threads can each own some layers. In other windows they
+ *   may differ from the whole grid within rounding of contact. Triangles outside the window cost next to nothing.
  * occupied: tribox_window_words(size) words, size being that of the window. Let rows have W = (size[0] + 63) / 64 words: cell
  *   (i, j, k) of the window, which is cell (first[0] + i, first[1] + j, first[2] + k) of the grid, is bit i % 64 of
  *   occupied[(k * size[1] + j) * W + i / 64]. Layer k alone begins at occupied + k * size[1] * W.
  * options: NULL for the defaults; the order of the axes is ignored here.
  * report: overlapping counts the cells newly set; NULL if not wanted, which spares the counting.
  *
- * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except that
- * axis sets without TRIBOX_AXES_BOX test every triangle against every cell of the window. Many triangles in one call are faster
- * than many calls, as small triangles are taken a packet at a time: with AVX2 or AVX-512 a call about 64 cells takes 250 to 390 ns
- * for one triangle, 420 to 690 for eight and 1,600 to 2,900 for 64 (tribox-bench calls; AMD EPYC, Zen 5, virtual). So gather some
- * hundred triangles first.
+ * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes. Warning:
+ * axis sets without TRIBOX_AXES_BOX are slow, as every triangle is then tested against every cell of the window. Many triangles in
+ * one call are faster than many calls, as small triangles are taken a packet at a time: with AVX2 or AVX-512 a call about 64 cells
+ * takes 250 to 390 ns for one triangle, 420 to 690 for eight and 1,600 to 2,900 for 64 (tribox-bench calls; AMD EPYC, Zen 5,
+ * virtual). So gather some hundred triangles first.
  *
- * A bit for every cell has to be cleared, and read again by whoever wants cells, spans of them or a sparse tree. Where most are
- * clear, tribox_bricks hands over those that are set, in a quarter to an eighth of the time that bits in new memory take
+ * A bit for every cell has to be cleared, and read again if you want a list of cells, spans or a sparse tree. If most cells are
+ * clear, use tribox_bricks, which hands over only the set ones, in a quarter to an eighth of the time that bits in new memory take
  * (examples/bricks.c).
  *
- * New memory costs more than its cells, as the system stops a program where it first touches a page: in 1024 cells along a mesh a
- * call into fresh memory of calloc takes 3 to 10 times as long as on pages of 2 MB (AMD EPYC, Zen 5, virtual, Linux). Ask for such
- * pages, in three lines (examples/large_pages.h), or use memory again.
+ * New memory costs more than its cells, as the system stops a program at its first touch of each page. With 1024 cells along a
+ * mesh, a call into fresh memory from calloc takes 3 to 10 times as long as into pages of 2 MB (AMD EPYC, Zen 5, virtual, Linux).
+ * Ask for such pages, in three lines (examples/large_pages.h), or reuse memory.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, count floats exceed the address space, or the window leaves the grid),
  * TRIBOX_BAD_GRID (also if there are more than 2^31 words to write: ask for windows), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
@@ -682,28 +684,27 @@ TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_g
  * tribox_voxelize for a mesh, of floats or doubles: EXACT is tribox_mesh_overlap of the mesh with every tribox_grid_cell. A mesh of
  * floats gives the bits of its soup at every accuracy; for doubles FAST is treated as CONSERVATIVE.
  *
- * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also where tribox_mesh_overlap does; TRIBOX_BAD_VERTEX if a triangle
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if tribox_mesh_overlap returns it; TRIBOX_BAD_VERTEX if a triangle
  * refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_mesh_voxelize(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_window *window,
                                               const tribox_options *options, uint64_t *occupied, tribox_report *report);
 
 /**
- * tribox_voxelize that also says, for each cell that it sets, which triangle: the lowest number of one that overlaps it. EXACT has
- * only one answer, the same on every kernel, in every order of the triangles and in every window. CONSERVATIVE and FAST give the
- * lowest number of those for which they set the bit, and may differ where bits do. The triangle with the greatest area in a cell
- * is no such answer: it takes all triangles of the cell, which tribox_bricks_lists gives, and cutting each at the cell's planes.
+ * tribox_voxelize that also says, for each cell that it sets, which triangle overlaps it: the one with the lowest number. EXACT has
+ * only one answer, the same on every kernel and in every window. CONSERVATIVE and FAST give the lowest number of the triangles for
+ * which they set the bit, and their ids may differ wherever their bits may. To find the triangle with the greatest area in a cell,
+ * take all triangles of the cell (tribox_bricks_lists) and cut each at the cell's planes.
  *
- * Calls accumulate: where a bit is set before the call, its id stays if it is the lowest. So a soup may come in parts, in any
- * order.
+ * Calls accumulate: if a bit is set before the call, its id stays if it is the lowest. So a soup may come in parts, in any order.
  *
  * first: the number of the soup's first triangle: 0, or how many triangles precede it in other calls. All numbers must be less than
  *   UINT32_MAX.
- * occupied: as for tribox_voxelize. Cells whose bits are set before the call have ids: those that calls before it wrote.
- * ids: one for each cell of the window, cell (i, j, k) at ids[(k * size[1] + j) * size[0] + i], without a gap after a row. Written
- *   only where bits are set, so they need not be cleared; an id where the bit is clear means nothing. Where they do not fit the
- *   caches each set cell waits for memory, and in new memory for a page (see tribox_voxelize): tribox_bricks_ids takes tiles that
- *   do.
+ * occupied: as for tribox_voxelize. If a bit is set before the call, its cell must have an id from an earlier call.
+ * ids: one for each cell of the window, cell (i, j, k) at ids[(k * size[1] + j) * size[0] + i], without a gap after a row. An id is
+ *   written only if its bit is set, so ids need not be cleared; if the bit is clear, the id means nothing. If the ids do not fit
+ *   the caches, each set cell waits for memory, and in new memory for a page (see tribox_voxelize): tribox_bricks_ids works in
+ *   tiles that fit.
  *
  * Threads that own some layers of the grid own the ids of these layers. Other arguments are as for tribox_voxelize.
  *
@@ -720,19 +721,20 @@ TRIBOX_API tribox_status tribox_mesh_voxelize_ids(const tribox_mesh *mesh, uint3
                                                   uint32_t *ids, tribox_report *report);
 
 /**
- * The cells of a thin surface: about half of those of tribox_voxelize, so that a flat surface is one cell thick, and yet does not
- * leak. A cell is set if a triangle crosses one of the three lines through its middle along x, y and z, between the cell's planes.
- * Such surfaces are called 6-separating by J. Huang et al. ("An Accurate Method for Voxelizing Polygon Meshes", 1998); the three
- * lines are the crosshair of S. Laine, "A Topological Approach to Voxelization" (2013). Tests of planes and edges against a thinner
- * box, as by M. Schwarz and H.-P. Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs" (2010), find more cells at edges.
+ * The cells of a thin surface: about half as many as by tribox_voxelize. A flat surface is one cell thick, and yet does not leak. A
+ * cell is set if a triangle crosses one of the three lines through its middle along x, y and z, between the cell's planes. Such
+ * surfaces are called 6-separating by J. Huang et al. ("An Accurate Method for Voxelizing Polygon Meshes", 1998); the three lines
+ * are the crosshair of S. Laine, "A Topological Approach to Voxelization" (2013). Tests of planes and edges against a thinner box,
+ * as by M. Schwarz and H.-P. Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs" (2010), find more cells at edges.
  *
- * Exact, and without ties: crossings are those of tribox_fill_parity, whose lines are moved by less than any distance. What lies in
- * the plane between two cells sets one of them, and in a plane of the grid's border the cell within; what lies along a line does
- * not cross it; triangles without an area set nothing. The order of triangles and vertices makes no difference.
+ * Exact, and without ties: lines are crossed as in tribox_fill_parity, which moves them by less than any distance. A triangle in
+ * the plane between two cells sets one of them, and in a plane of the grid's border the cell within. A triangle along a line does
+ * not cross it. Triangles without an area set nothing. The order of triangles and vertices makes no difference.
  *
  * Two clear cells that share a face are both inside or both outside a closed mesh (PROOFS.md 15.7). So no path across faces leads
- * through it, and both ways of filling work with these cells; but paths across edges and corners do. It is for surfaces that are
- * built of blocks, counted, or simulated by neighbours across faces. A piece smaller than a cell may set none.
+ * through the surface, and both ways of filling work with these cells. Paths across edges and corners do lead through it. Use it
+ * for surfaces that are built of blocks, counted, or simulated by neighbours across faces. A piece smaller than a cell may set no
+ * cell.
  *
  * options: EXACT and all axes, or TRIBOX_BAD_OPTION; only the kernel matters. NULL for the defaults.
  * report: overlapping as for tribox_voxelize, undecided 0.
@@ -751,9 +753,9 @@ TRIBOX_API tribox_status tribox_mesh_voxelize_thin(const tribox_mesh *mesh, cons
 /* ============================================================================================================================== */
 
 /**
- * A share of the tiles of a grid. A grid beyond memory is voxelized tile by tile: tiles are cubes of `side` cells a side, except
- * those that the upper borders of the grid cut. Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are the
- * numbers of tiles along x and y, size divided by side and rounded up. 128 cells a side suit the caches.
+ * A share of the tiles of a grid. A grid beyond memory is voxelized tile by tile. Tiles are cubes of `side` cells a side, cut short
+ * at the upper borders of the grid. Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are the numbers of tiles
+ * along x and y: size divided by side, rounded up. 128 cells a side suit the caches.
  *
  * A share is the work of one thread, or of a machine that has no memory for all tiles.
  */
@@ -767,12 +769,12 @@ typedef struct tribox_tiles {
 TRIBOX_API size_t tribox_tile_count(const uint32_t size[3], uint32_t side);
 
 /**
- * Lists which triangles are in which tile, in two passes: without a list it counts them, and writes where the list of each tile
- * begins; with a list, and the starts of the first pass for the same arguments, it writes the numbers of the triangles, in rising
+ * Lists which triangles are in which tile, in two passes. Without a list it counts them, and writes where the list of each tile
+ * begins. With a list, and the starts of a first pass with the same arguments, it writes the numbers of the triangles, in rising
  * order for each tile. With tiles of one cell, these are the lists by cell that builders of grids and trees need.
  *
- * EXACT lists of all tiles of a grid come from the pairs of triangle and cell that voxelizing finds where the side is 1, 2 or 4, or
- * 8 and no border cuts a tile: mostly in a half to a tenth of the time that shares of them take.
+ * If the share is all tiles of the grid, and the side is 1, 2 or 4, or 8 without a cut tile, EXACT makes the lists from the pairs
+ * of triangle and cell that voxelizing finds. That mostly takes a half to a tenth of the time of the same tiles in several shares.
  *
  * A triangle is in a tile if it overlaps the tile's box, from the lowest plane of its cells to the highest: EXACT is by definition
  * tribox_overlap, CONSERVATIVE may list more, and FAST is treated as CONSERVATIVE.
@@ -798,19 +800,19 @@ TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const t
                                                 const tribox_options *options, size_t *starts, uint32_t *list);
 
 /**
- * Lists which triangles overlap which cell of a window, in two passes like tribox_tile_lists with tiles of one cell: all triangles
- * of a cell, where tribox_voxelize_ids has the lowest, in two to five times its time. A grid beyond memory is listed window by
- * window, from the triangles of each, or sparse by tribox_bricks_lists.
+ * Lists which triangles overlap which cell of a window, in two passes like tribox_tile_lists with tiles of one cell. It gives all
+ * triangles of a cell, while tribox_voxelize_ids gives the lowest, in two to five times its time. List a grid beyond memory window
+ * by window, from the triangles of each, or sparsely by tribox_bricks_lists.
  *
- * soup, grid, options: as for tribox_tile_lists; CONSERVATIVE lists a triangle where tribox_voxelize sets a cell for it.
+ * soup, grid, options: as for tribox_tile_lists; CONSERVATIVE lists a triangle for each cell that tribox_voxelize sets for it.
  * window: NULL for the whole grid.
  * starts: one for each cell of the window, and one more: cell (i, j, k) has the triangles from starts[c] to before starts[c + 1] of
  *   the list, where c = (k * size[1] + j) * size[0] + i. Otherwise as for tribox_tile_lists.
  *
- * With EXACT the cells that have triangles are those that tribox_voxelize sets, and the lists of a window are those of the whole
- * grid.
+ * With EXACT, tribox_voxelize sets exactly the cells that have triangles here, and the lists of a window are the same as in the
+ * whole grid.
  *
- * Returns what tribox_tile_lists does; TRIBOX_BAD_ARGUMENT also where the window is not within the grid.
+ * Returns what tribox_tile_lists does; TRIBOX_BAD_ARGUMENT also if the window is not within the grid.
  */
 TRIBOX_API tribox_status tribox_cell_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,
                                            const tribox_options *options, size_t *starts, uint32_t *list);
@@ -820,9 +822,9 @@ TRIBOX_API tribox_status tribox_mesh_cell_lists(const tribox_mesh *mesh, const t
                                                 const tribox_options *options, size_t *starts, uint32_t *list);
 
 /**
- * Receives bricks: 8 x 8 x 8 cells of which some are set. Brick at[0], at[1], at[2] has the cells 8 at[0] + i, 8 at[1] + j,
- * 8 at[2] + k, for i, j, k = 0 .. 7: bit i + 8 j of bits[k]. take returns 0 to go on; anything else ends the call. It runs in the
- * caller's floating-point environment, may call the library, and must return.
+ * Receives bricks: 8 x 8 x 8 cells of which some are set. Bit i + 8 j of bits[k] is cell (8 at[0] + i, 8 at[1] + j, 8 at[2] + k),
+ * for i, j, k = 0 .. 7. take returns 0 to go on; anything else ends the call. It runs in the caller's floating-point environment,
+ * may call the library, and must return.
  */
 typedef struct tribox_sink {
     int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8]); /* 0 to go on */
@@ -834,18 +836,19 @@ TRIBOX_API size_t tribox_bricks_bytes(uint32_t side);
 
 /**
  * tribox_voxelize for grids whose cells need not fit into memory, or are mostly clear: hands each brick that is not empty to a
- * sink, once. It is the call for hashes of cells, sparse trees, whose levels above are the numbers of bricks shifted, and spans:
- * with the height as x, by the axes of a mesh, each row of a brick is a byte (examples/bricks.c). EXACT gives the cells of
- * tribox_voxelize; the others may differ from it within rounding of contact.
+ * sink, once. Use it for hashes of cells, for sparse trees (the levels above are the numbers of bricks, shifted) and for spans: if
+ * the axes of the mesh make the height x, each row of a brick is a byte (examples/bricks.c). EXACT gives the cells of
+ * tribox_voxelize. The other accuracies may differ from it within rounding of contact.
  *
  * Tiles come in the order of their numbers, and the bricks of each by z, then y, then x. Shares of the tiles together give the
- * bricks of the whole, so they may be spread over threads, tasks and machines. Tiles without triangles cost next to nothing. Their
- * cells are in scratch one after the other, so the call touches no new memory (see tribox_voxelize); a sink that keeps bricks does.
+ * bricks of the whole, so they may be spread over threads, tasks and machines. Tiles without triangles cost next to nothing. Each
+ * tile uses the same scratch, so the call touches no new memory (see tribox_voxelize), but a sink that keeps bricks does.
  *
  * soup, grid: as for tribox_voxelize.
  * tiles: the share; its side is a multiple of 8, at most 1024.
- * starts, list: for each tile, which triangles to look at; starts[0] is for the first tile of the share. Usually those of
- *   tribox_tile_lists for the same axes, at any accuracy, but any will do: triangles not listed for a tile are not in its bricks.
+ * starts, list: for each tile, which triangles to look at; starts[0] is for the first tile of the share. Usually take them from
+ *   tribox_tile_lists for the same axes, at any accuracy. Other lists work too: triangles not listed for a tile are not in its
+ *   bricks.
  * scratch: tribox_bricks_bytes(tiles->side) bytes, at any alignment; one for each thread.
  * report: overlapping counts the cells of all bricks that were handed to the sink; NULL if not wanted.
  *
@@ -881,8 +884,8 @@ typedef struct tribox_ids_sink {
 TRIBOX_API size_t tribox_bricks_ids_bytes(uint32_t side);
 
 /**
- * tribox_bricks with an id for each cell, as by tribox_voxelize_ids: with EXACT the lowest number of a triangle that overlaps it,
- * among those listed for its tile. Numbers are those of the soup, whatever the order of a list.
+ * tribox_bricks with an id for each cell, as by tribox_voxelize_ids: with EXACT the lowest number of a triangle that overlaps it
+ * and is listed for its tile. Ids are numbers of triangles in the soup, whatever the order of a list.
  *
  * soup: of fewer than 2^32 triangles.
  * scratch: tribox_bricks_ids_bytes(tiles->side) bytes, at any alignment; one for each thread.
@@ -912,14 +915,15 @@ typedef struct tribox_lists_sink {
 /**
  * The bytes of scratch that tribox_bricks_lists needs for tiles of this side; SIZE_MAX if that overflows, or side is above 1024.
  *
- * most: the length of the longest list of a tile. Scratch has room for all of it in each cell of a brick, about 2 KB a triangle; of
- *   that as much is touched as there are pairs.
+ * most: the length of the longest list of a tile. Scratch has room for that whole list in each cell of a brick, about 2 KB a
+ *   triangle. Only as much is touched as there are pairs.
  */
 TRIBOX_API size_t tribox_bricks_lists_bytes(uint32_t side, size_t most);
 
 /**
- * tribox_bricks with all triangles of each cell, as by tribox_cell_lists: with EXACT those of the list of its tile that overlap it,
- * and of others those for which its bit is set. What a list names twice comes twice. Tiles of 64 cells a side suit the caches.
+ * tribox_bricks with all triangles of each cell, as by tribox_cell_lists, from the list of its tile. EXACT gives the triangles that
+ * overlap the cell, the other accuracies the triangles for which they set its bit. If a list names a triangle twice, it comes
+ * twice. Tiles of 64 cells a side suit the caches.
  *
  * soup: at most 2^32 triangles.
  * scratch: tribox_bricks_lists_bytes(tiles->side, most) bytes, at any alignment; one for each thread.
@@ -953,7 +957,7 @@ TRIBOX_API size_t tribox_fill_bytes(const uint32_t size[3]);
  * occupied: the cells of the surface, as tribox_voxelize writes them; bits past a row's last cell are ignored.
  * scratch: tribox_fill_bytes(size) bytes, at any alignment.
  * solid: as many words as occupied, not overlapping it; written: the surface and its inside, with zeros past each row's last cell.
- * inside: receives how many cells were filled, without those occupied; NULL if not wanted.
+ * inside: receives how many cells were filled, not counting occupied ones; NULL if not wanted.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer) or TRIBOX_BAD_GRID (a size of 0, or too many words).
  */
@@ -962,18 +966,17 @@ TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint6
 
 /**
  * Fills by parity: sets every cell for which the surface crosses the line along x an odd number of times below the cell's middle.
- * Exact: crossings are decided by the signs of determinants of the numbers themselves, and a middle whose line meets an edge or a
- * vertex, or that is itself on the surface, is moved a little, by the same rule for all triangles (symbolic perturbation). On a
- * closed mesh it fills what tribox_fill_outside fills, except pockets outside the mesh that cells of the surface seal off; what a
- * mesh encloses twice is outside. Where the mesh is open, there are streaks along x: see odd_rows, and examples/insides for
- * pictures.
+ * Exact: the signs of determinants of the numbers themselves decide about crossings. If a line meets an edge or a vertex, or a
+ * middle lies on the surface, the middle is moved a little, by the same rule for all triangles (symbolic perturbation). On a closed
+ * mesh it fills what tribox_fill_outside fills, except pockets outside the mesh that cells of the surface seal off. What a mesh
+ * encloses twice is outside. If the mesh is open, there are streaks along x: see odd_rows, and examples/insides for pictures.
  *
- * soup, grid: those of the surface. The middle of a cell lies at the double nearest to the middle of its planes, and where there is
- *   no double between these, at the lower one.
- * occupied, scratch, solid, inside: as for tribox_fill_outside, for the words of the grid. With no bit of occupied set, solid has
+ * soup, grid: as the surface was voxelized. The middle of a cell lies at the double nearest to the middle of its planes or, if
+ *   there is no double between them, at the lower plane.
+ * occupied, scratch, solid, inside: as for tribox_fill_outside, for the words of the grid. If no bit of occupied is set, solid has
  *   the cells whose middles are inside the mesh, as in programs that voxelize by sampling middles (the centre rule).
- * odd_rows: receives how many rows of cells along x have an odd number of crossings in all; if any has, the mesh is certainly not
- *   closed. NULL if not wanted.
+ * odd_rows: receives how many rows of cells along x have an odd number of crossings in all. If there is one, the mesh is certainly
+ *   not closed. NULL if not wanted.
  *
  * Triangles with a NaN or infinite coordinate are left out. Returns what tribox_voxelize does.
  */
@@ -1002,7 +1005,7 @@ TRIBOX_API size_t tribox_mask_indices(const uint64_t *mask, size_t count, uint32
 
 /**
  * Counts the triangles of a soup that have a NaN or infinite coordinate. They overlap nothing, in any call. Other calls do not
- * count them, since they do not even load all coordinates.
+ * count them, as they do not load all coordinates.
  *
  * soup: nine streams of soup->count floats; NULL, or NULL streams, count as an empty soup.
  * first: receives the lowest index of such a triangle, or the soup's count if there is none; NULL if not wanted.
@@ -1029,7 +1032,7 @@ TRIBOX_API size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *firs
 
 /**
  * Writes triangles first .. first + count - 1 of a mesh as the nine streams of a soup: x[v][i], y[v][i] and z[v][i] are vertex v of
- * triangle first + i. For the calls that take a soup, and for triangles that are tested more than once.
+ * triangle first + i. It is for calls that take a soup, and for triangles that are tested more than once.
  *
  * mesh: must not overlap the streams.
  * origin: with NULL floats are copied as they are, NaN and infinity included, and doubles are rounded; with finite numbers each
@@ -1054,8 +1057,8 @@ TRIBOX_API tribox_status tribox_mesh_to_soup(const tribox_mesh *mesh, const doub
 TRIBOX_API const char *tribox_kernel_name(const tribox_options *options);
 
 /**
- * The name of kernel i among those that this processor runs, widest first and the scalar one last, spelt as in
- * tribox_options.kernel; NULL if i is past the last. Kernel 0 is the default. Static storage.
+ * The name of the i-th kernel that this processor runs, widest first and the scalar one last, spelt as in tribox_options.kernel;
+ * NULL if i is past the last. Kernel 0 is the default. Static storage.
  */
 TRIBOX_API const char *tribox_kernel_list(size_t i);
 

@@ -42,7 +42,7 @@ using oriented_box = tribox_oriented_box;
 /*                                                   Errors, views and memory                                                     */
 /* ============================================================================================================================== */
 
-/** What is thrown where C returns anything but TRIBOX_OK; what() is tribox_status_text. */
+/** Thrown if C returns anything but TRIBOX_OK; what() is tribox_status_text. */
 struct error : std::exception {
     status code;
     explicit error(status what) noexcept : code(what) {}
