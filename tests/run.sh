@@ -11,7 +11,7 @@ packaging/packages.sh ${PACKAGES:-} gcc g++ libc6-dev meson ninja-build pkgconf 
     python3-numpy python3-cffi python3-cffi-backend mypy python3-dask python3-distributed python3-zarr \
     parallel openmpi-bin python3-mpi4py \
     libopenvdb-tools python3-openvdb python3-vtk9 teem-apps \
-    git xz-utils mandoc groff man-db debhelper dh-python abigail-tools devscripts lintian fakeroot dpkg-dev \
+    git xz-utils mandoc groff man-db debhelper dh-python devscripts lintian fakeroot dpkg-dev \
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf libc6-dev-armhf-cross \
     gcc-s390x-linux-gnu libc6-dev-s390x-cross
 test "${1-}" != packages || exit 0
