@@ -11,11 +11,9 @@ import json
 import math
 import os
 import random
-import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 
 import harness
 import numpy as np
@@ -408,40 +406,6 @@ class Files(Colours):
         """What ParaView has: a colour for each face."""
         (found,) = self.foreign("vtk_colours", self.voxelize(self.mesh, "cells.ply")[0])
         self.assertEqual(faces_of(found, ABOUT), faces_expected(self.expected))
-
-    def three(self):
-        """The folder of three.js: one that is given, or what npm installs of the version that the page has."""
-        if os.environ.get("TRIBOX_THREE"):
-            return os.environ["TRIBOX_THREE"]
-        with open(os.path.join(HERE, "../../examples/web/package.json")) as file:
-            version = json.load(file)["dependencies"]["three"]
-        if not shutil.which("npm"):
-            self.skipTest("no npm")
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        try:
-            done = subprocess.run(["npm", "install", "--loglevel=error", "--no-audit", "--no-fund", "--prefer-offline",
-                                   "three@" + version], cwd=folder.name, capture_output=True, timeout=100)
-        except subprocess.TimeoutExpired:
-            self.skipTest("npm installs no three.js in time")
-        if done.returncode:
-            self.skipTest("npm cannot install three.js")
-        return os.path.join(folder.name, "node_modules/three")
-
-    def test_three(self):
-        paths = [self.voxelize(self.mesh, "cells" + ending)[0] for ending in readers.MESHES]
-        done = subprocess.run(["node", os.path.join(HERE, "three.mjs"), self.three(), *paths], capture_output=True, timeout=100)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        expected = faces_expected(self.expected)
-        for path, found in zip(paths, json.loads(done.stdout)):
-            triangles = zip(*(iter(zip(found["corners"], found["colours"])),) * 3)
-            faces = faces_of([([corner for corner, _ in t], t[0][1]) for t in triangles], ABOUT)
-            self.assertTrue(found["isShown"], path)
-            self.assertEqual(set(faces), set(expected), path)
-            for face, (light,) in faces.items():
-                (colour,) = expected[face]
-                for x, byte in zip(light, colour):
-                    self.assertAlmostEqual(x, readers.linear(byte), delta={".obj": 2e-4, ".ply": 4e-3, ".glb": 2e-5}[path[-4:]])
 
     def test_preview(self):
         """Cells of one colour, lit: pixels have its hue, those of the ground do not."""
