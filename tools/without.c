@@ -4,6 +4,7 @@
 #include "read/mesh.h"
 #include "read/mesh_file.h"
 #include "write/brick_out.h"
+#include "write/mesh_npz.h"
 #include "write/part.h"
 
 #ifdef WITHOUT_PNG
@@ -56,6 +57,12 @@ static int refuse_npz(const char *path, const tribox_grid *grid)
 }
 
 const volume_writer volume_npz = {.check_grid = refuse_npz, .bricks = &(const brick_writer){.open = NULL}};
+
+int mesh_npz_write(const file_out *out, const mesh *m, const rgb *colours)
+{
+    (void)m, (void)colours;
+    return refuse_npz(out->path, NULL);
+}
 
 int part_open(part *p, const char *path)
 {

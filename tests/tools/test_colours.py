@@ -136,6 +136,9 @@ class Colours(harness.TestCase):
         out, found = self.voxelize(mesh, "cells.vox")
         self.assertEqual(readers.palette_of(out), self.cells(colours), name)
         self.assertEqual(found["colours"], whose, name)
+        said = self.ask("info", mesh, "-o", self.path("mesh.npz"))
+        with np.load(self.path("mesh.npz")) as arrays:
+            self.assertEqual((list(map(tuple, arrays["colours"].tolist())), said["colours"]), (list(colours), whose), name)
 
 
 class Meshes(Colours):

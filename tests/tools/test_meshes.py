@@ -86,6 +86,15 @@ class Formats(harness.TestCase):
         for name, content in meshes.FORMATS.items():
             answer = self.overlap(self.write(name, content(triangles)), WHERE)
             self.assertEqual((answer["triangles"], answer["indices"]), (200, meshes.overlapping(triangles, WHERE)), name)
+            said = self.ask("info", self.path(name), "-o", self.path("mesh.npz"))
+            with np.load(self.path("mesh.npz")) as arrays:
+                places, faces = arrays["vertices"], arrays["faces"]
+                self.assertEqual(sorted(arrays.files), ["faces", "vertices"], name)
+            self.assertEqual((said["triangles"], said["positions"], places.dtype, faces.dtype),
+                             (200, "float64" if name.endswith("f64") else "float32", said["positions"], np.uint32), name)
+            self.assertEqual(places[faces].tolist(), np.array(triangles).tolist(), name)
+            self.assertEqual(len(np.unique(places, axis=0)), len(places), name)
+            self.assertEqual([said["lo"], said["hi"]], [places.min(0).tolist(), places.max(0).tolist()], name)
 
     def test_bit_exact(self):
         """A triangle that is a point overlaps a box that is a point just when each coordinate is the same number, wild as it is."""

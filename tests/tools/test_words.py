@@ -15,7 +15,7 @@ OPTIONS = {
                 "--accuracy --axes --kernel --help",
     "merge": "--out --out-format --preview --up --picture-size --threads --json --quiet --help",
     "partition": "--format --shift --resolution --cell --origin --size --out --memory --threads --json --quiet --help",
-    "info": "--json --help",
+    "info": "--out --json --quiet --help",
     "demo": "--quick --picture --help",
     "sweep": "--octree --grid --box --quick --verbose --json --chart --help",
 }
@@ -140,7 +140,10 @@ WRONG = {
         (".*which has its grid: leave out --cell", ".", ".", "-o", "x", "--cell", "1")],
     "info": [("option --json is given twice", "--json", "--json"), ("option -j is given twice", "--js", "-j"),
              ("option -j is given twice", "-jj"),
-             ("option --help takes no value", "--help=yes"), ("unexpected 'a.obj'", *A)],
+             ("option --help takes no value", "--help=yes"), ("one mesh at a time: 'b.obj' is one file too many", *A, "b.obj"),
+             ("--out: 'x.ply' is no name that ends in .npz", *A, "-o", "x.ply"), ("--out: '-' is no name", *A, "-o", "-"),
+             ("--out is of a mesh: give one", "-o", "x.npz"), ("--quiet is of a mesh: give one", "-q"),
+             ("--json and --quiet exclude each other", *A, "-jq")],
     "demo": [("unexpected 'a.obj'", *A), ("option --quick takes no value", "--quick=yes"),
              ("--picture: 'knot.jpg' does not end in .png", "--picture", "knot.jpg")],
     "sweep": [

@@ -9,7 +9,7 @@
 #include "write/file_out.h"
 
 typedef struct mesh_colours {
-    rgb *of;          /* each triangle */
+    rgb *of;          /* each triangle; NULL: it has none that are read */
     size_t triangles; /* of the mesh */
     const char *from; /* whose they are, in a word: "faces" */
 } mesh_colours;
@@ -22,9 +22,11 @@ typedef struct mesh_colours {
  * What libassimp reads: the same of glTF and its like, the colour of the corners times that of the material.
  * Whole numbers go to 255, those of 16 bits to 65535, others to 1.
  *
- * triangles: of the mesh, as it was read before. outputs: none of these may be a file of materials. Returns an exit_code; a mesh
- * without colours is a failure. On success mesh_colours_free gives the memory back.
+ * triangles: of the mesh, as it was read before. outputs: none of these may be a file of materials. Returns an exit_code; for
+ * mesh_colours_read a mesh without colours is a failure. On success mesh_colours_free gives the memory back.
  */
+int mesh_colours_find(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
+                      mesh_colours *colours);
 int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
                       mesh_colours *colours);
 void mesh_colours_free(mesh_colours *colours);

@@ -283,7 +283,9 @@ static int scan_colours(const char *path, colouring *c)
     materials_end(&c->materials);
     if (!code && (c->has_changed || c->next != c->to->triangles))
         return message_failure("%s: has changed while it was read", path);
-    return code || c->coloured ? code : message_failure("%s: has no colours: %s", path, advice);
+    if (!c->coloured)
+        mesh_colours_free(c->to);
+    return code;
 }
 
 static int read_faces(const char *path, mesh_kind kind, const file_out_names *outputs, mesh_colours *to)
@@ -323,21 +325,27 @@ static int read_others(const char *path, mesh_colours *to)
     if (code)
         return code;
     if (!found.of_vertices && !found.of_materials)
-        return message_failure("%s: has no colours: %s", path, advice);
-    if (found.textured)
+        mesh_colours_free(to);
+    else if (found.textured)
         message_say("%s: note: %zu of %zu triangles have a texture, which is not read: they are grey", path, found.textured,
                     to->triangles);
     to->from = found.of_vertices ? "vertices" : "materials";
     return EXIT_CODE_OK;
 }
 
-int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
+/* Whether it is of a format whose colours are read. */
+static bool are_read(const char *path, triangle_format format, mesh_kind kind)
+{
+    return format == TRIANGLES_OTHER && kind != MESH_STL_TEXT && triangle_format_of(path) == TRIANGLES_OTHER;
+}
+
+int mesh_colours_find(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
                       mesh_colours *colours)
 {
     const mesh_kind kind = format == TRIANGLES_OTHER ? mesh_kind_of(path) : MESH_OTHER;
     *colours = (mesh_colours){.triangles = triangles, .from = "vertices"};
-    if (format != TRIANGLES_OTHER || kind == MESH_STL_TEXT || triangle_format_of(path) != TRIANGLES_OTHER)
-        return message_failure("%s: no colours of its format are read: %s", triangle_file_name(path), advice);
+    if (!are_read(path, format, kind))
+        return EXIT_CODE_OK;
     colours->of = malloc(triangles * sizeof *colours->of);
     if (!colours->of)
         return message_failure("%s: out of memory for the colours of %zu triangles", path, triangles);
@@ -345,6 +353,17 @@ int mesh_colours_read(const char *path, triangle_format format, size_t triangles
     if (code)
         mesh_colours_free(colours);
     return code;
+}
+
+int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
+                      mesh_colours *colours)
+{
+    const int code = mesh_colours_find(path, format, triangles, outputs, colours);
+    if (code || colours->of)
+        return code;
+    const mesh_kind kind = format == TRIANGLES_OTHER ? mesh_kind_of(path) : MESH_OTHER;
+    return message_failure("%s: %s: %s", triangle_file_name(path),
+                           are_read(path, format, kind) ? "has no colours" : "no colours of its format are read", advice);
 }
 
 void mesh_colours_free(mesh_colours *colours)
