@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/message.h"
+#include "console/system.h"
 #include "write/voxels.h"
 
 enum { SIDE = 8 };
@@ -11,6 +13,32 @@ enum { SIDE = 8 };
 static size_t place_of(const cell_colours *c, const uint32_t at[3])
 {
     return ((size_t)at[2] * c->size[1] + at[1]) * c->size[0] + at[0];
+}
+
+rgb *cell_colours_add(cell_colours *c, const uint32_t at[3], const uint64_t bits[8], uint64_t cells)
+{
+    coloured_brick *const bricks = memory_grow(c->bricks, c->count + 1, &c->room, sizeof *bricks);
+    c->bricks = bricks ? bricks : c->bricks;
+    rgb *const of = bricks ? memory_grow(c->of, (size_t)(c->cells + cells), &c->cells_room, sizeof *of) : NULL;
+    c->of = of ? of : c->of;
+    if (!of)
+        return NULL;
+    coloured_brick *const b = &bricks[c->count++];
+    *b = (coloured_brick){.at = {at[0], at[1], at[2]}, .first = c->cells};
+    memcpy(b->bits, bits, sizeof b->bits);
+    c->cells += cells;
+    return of + b->first;
+}
+
+int cell_colours_make_palette(cell_colours *c, const char *path)
+{
+    if (!palette_make(c->of, c->cells, &c->palette))
+        return message_failure("%s: out of memory for its palette", path);
+    if (c->palette.place)
+        message_say(
+            "note: %s has the %d colours of its palette for more that its cells have: those close to one another are their mean",
+            path, c->palette.count);
+    return EXIT_CODE_OK;
 }
 
 bool cell_colours_place(cell_colours *c, const uint32_t cells[3])

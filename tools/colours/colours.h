@@ -60,7 +60,7 @@ typedef struct coloured_brick {
 
 typedef struct cell_colours {
     coloured_brick *bricks;
-    size_t count;
+    size_t count, room, cells_room;
     rgb *of;
     uint64_t cells;
     uint32_t *number; /* of each place of a brick: which one is there; UINT32_MAX for none */
@@ -68,9 +68,13 @@ typedef struct cell_colours {
     palette palette;  /* of them, for formats that have one; else empty */
 } cell_colours;
 
-/*
- * Takes bricks and colours, memory for free(), and finds their places in a grid of so many cells. False where there is no memory.
- */
+/* Adds a brick of so many set cells; returns where their colours go, NULL where there is no memory. */
+rgb *cell_colours_add(cell_colours *c, const uint32_t at[3], const uint64_t bits[8], uint64_t cells);
+
+/* Makes the palette, and says where that changes colours. path: of what is written. Returns an exit_code. */
+int cell_colours_make_palette(cell_colours *c, const char *path);
+
+/* Finds the places of all bricks in a grid of so many cells. False where there is no memory. */
 bool cell_colours_place(cell_colours *c, const uint32_t cells[3]);
 
 /* The colours of a brick that is there. */

@@ -24,31 +24,17 @@ typedef struct colouring {
     const mesh_colours *colours;
     uint64_t *words;
     cell_colours *to;
-    size_t room, cells_room;
 } colouring;
-
-static bool make_room(colouring *c, uint64_t cells)
-{
-    cell_colours *const to = c->to;
-    void *const bricks = memory_grow(to->bricks, to->count + 1, &c->room, sizeof *to->bricks);
-    to->bricks = bricks ? bricks : to->bricks;
-    void *const of = bricks ? memory_grow(to->of, (size_t)(to->cells + cells), &c->cells_room, sizeof *to->of) : NULL;
-    to->of = of ? of : to->of;
-    return of;
-}
 
 static int take_coloured(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
     colouring *const c = data;
-    cell_colours *const to = c->to;
     const uint64_t cells = voxels_count(bits, 8);
-    if (!make_room(c, cells))
+    rgb *const of = cell_colours_add(c->to, at, bits, cells);
+    if (!of)
         return 1;
-    coloured_brick *const b = &to->bricks[to->count++];
-    *b = (coloured_brick){.at = {at[0], at[1], at[2]}, .first = to->cells};
-    memcpy(b->bits, bits, sizeof b->bits);
     for (uint64_t n = 0; n < cells; n++)
-        to->of[to->cells++] = c->colours->of[ids[n]];
+        of[n] = c->colours->of[ids[n]];
     bricks_lay(c->grid, c->words, at, bits);
     return 0;
 }
@@ -218,16 +204,9 @@ static int voxelize(whole *w, voxelize_answer *a)
 /* What a format with a palette needs. */
 static int make_palette(whole *w)
 {
-    cell_colours *const c = &w->colours;
-    if (!w->in->colours || !volume_holds(w->r->result.format, "of a palette"))
-        return EXIT_CODE_OK;
-    if (!palette_make(c->of, c->cells, &c->palette))
-        return message_failure("%s: out of memory for its palette", w->r->result.out_path);
-    if (c->palette.place)
-        message_say(
-            "note: %s has the %d colours of its palette for more that its cells have: those close to one another are their mean",
-            w->r->result.out_path, c->palette.count);
-    return EXIT_CODE_OK;
+    return w->in->colours && volume_holds(w->r->result.format, "of a palette")
+               ? cell_colours_make_palette(&w->colours, w->r->result.out_path)
+               : EXIT_CODE_OK;
 }
 
 static int fill_if_wanted(const whole *w, voxelize_answer *a)
