@@ -1,4 +1,7 @@
-/* cmd_merge.c - tribox merge: the parts that tribox voxelize --shard wrote become the whole, bit for bit. */
+/*
+ * cmd_merge.c - tribox merge: the parts that tribox voxelize --shard wrote become the whole, bit for bit; or a file of the whole
+ * becomes one of another format.
+ */
 #define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 
@@ -7,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "colours/colours.h"
 #include "console/interrupt.h"
 #include "console/message.h"
 #include "console/numbers.h"
@@ -57,13 +61,14 @@ typedef struct merging {
     const merge_request *r;
     voxels cells;
     brick_out out;
-    bool has_ids;    /* of set cells */
-    uint64_t *words; /* for the picture; NULL for none */
+    const part_whole *whole;
+    cell_colours colours; /* of all set cells, if they have some */
+    uint64_t *words;      /* for the picture; NULL for none */
     progress bar;
     uint64_t all, done; /* bricks */
 } merging;
 
-static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
+static int take_brick(void *data, const part_brick *brick)
 {
     enum { TELL_EACH = 4096 };
     merging *const m = data;
@@ -71,7 +76,8 @@ static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
         bricks_lay(&m->cells.grid, m->words, brick->at, brick->bits);
     if (++m->done % TELL_EACH == 0)
         progress_tell(&m->bar, (double)m->done / (double)m->all);
-    m->out.ids = ids;
+    m->out.ids = brick->ids;
+    m->out.inside = brick->inside;
     return brick_out_put(&m->out, brick->at, brick->bits);
 }
 
@@ -89,7 +95,8 @@ static int write_bricks(merging *m, part *parts, size_t count, file_out *out)
 {
     const result_request *const result = &m->r->result;
     volume_options how = result->options;
-    how.has_ids = m->has_ids;
+    how.has_ids = m->whole->has_ids;
+    how.has_labels = m->whole->has_labels;
     int code = brick_out_open(&m->out, result->format, &how, out, &m->cells);
     if (code)
         return code;
@@ -123,34 +130,61 @@ static int write_files(merging *m, part *parts, size_t count)
     return code;
 }
 
-/* Ids are not dropped without a word. */
-static int check_ids(const merge_request *r, const part *parts)
+/* Nothing is dropped without a word. */
+static int check_more(const merge_request *r, const part *parts)
 {
     const volume_format *const format = r->result.format;
-    if (!parts[0].header.whole.has_ids)
+    const part_whole *const whole = &parts[0].header.whole;
+    const char *const more = whole->has_ids ? "ids" : whole->has_labels ? "labels" : whole->has_colours ? "colours" : NULL;
+    if (!more)
         return EXIT_CODE_OK;
-    if (r->result.options.is_mask)
-        return message_failure("%s: has ids, a grid of whole numbers: leave out --vdb-grid", parts[0].path);
-    return volume_holds(format, "ids")
-               ? EXIT_CODE_OK
-               : message_failure("%s: has ids, and .%s holds none: write %s, or run the shards without --ids", parts[0].path,
-                                 format->word, volume_endings("ids").text);
+    if (r->result.options.is_mask && !whole->has_colours)
+        return message_failure("%s: has %s, a grid of whole numbers: leave out --vdb-grid", parts[0].path, more);
+    return volume_holds(format, more) ? EXIT_CODE_OK
+                                      : message_failure("%s: has %s, and .%s holds none: write %s, or voxelize without --%s",
+                                                        parts[0].path, more, format->word, volume_endings(more).text, more);
+}
+
+static int take_colours(void *data, const part_brick *brick)
+{
+    merging *const m = data;
+    rgb *const of = cell_colours_add(&m->colours, brick->at, brick->bits, brick->cells);
+    if (!of)
+        return message_failure("out of memory for the colours of the cells");
+    memcpy(of, brick->colours, brick->cells * sizeof *of);
+    return EXIT_CODE_OK;
+}
+
+/* Formats need all of them before they get the first brick. */
+static int read_colours(merging *m, part *whole)
+{
+    const result_request *const result = &m->r->result;
+    int code = part_read(whole, m->r->threads, take_colours, m);
+    if (!code && !cell_colours_place(&m->colours, m->cells.grid.size))
+        code = message_failure("out of memory for the colours of the cells");
+    if (!code && volume_holds(result->format, "of a palette"))
+        code = cell_colours_make_palette(&m->colours, result->out_path);
+    m->cells.colours = &m->colours;
+    return code;
 }
 
 static const char fewer[] = "choose a sparse format, -o FILE.npz or .vdb, without a picture";
 
 static int merge(const merge_request *r, part *parts, size_t count)
 {
-    int code = part_join(parts, count);
+    const bool is_whole = count == 1 && !parts[0].header.shard;
+    int code = is_whole ? EXIT_CODE_OK : part_join(parts, count);
     if (code)
         return code;
     const part_whole *const whole = &parts[0].header.whole;
-    merging m = {.r = r, .cells = whole->cells, .has_ids = whole->has_ids};
+    merging m = {.r = r, .cells = whole->cells, .whole = whole};
     for (size_t i = 0; i < count; i++)
         m.all += parts[i].bricks;
-    code = check_ids(r, parts);
+    code = check_more(r, parts);
     if (!code && r->result.format->writer->check_grid)
         code = r->result.format->writer->check_grid(r->result.out_path, &m.cells.grid);
+    if (!code && whole->has_colours)
+        code = read_colours(&m, parts);
     if (!code)
         code = result_take_words(&r->result, &m.cells.grid, fewer, fewer, &m.words);
     if (!code) {
@@ -158,6 +192,7 @@ static int merge(const merge_request *r, part *parts, size_t count)
         code = write_files(&m, parts, count);
     }
     free(m.words);
+    cell_colours_free(&m.colours);
     uint64_t occupied = 0;
     for (size_t i = 0; i < count; i++)
         occupied += parts[i].cells;
@@ -179,13 +214,13 @@ static int merge_parts(const merge_request *r)
 }
 
 static const char help[] =
-    "tribox merge - join the parts of a voxelization into one file\n"
+    "tribox merge - join the parts of a voxelization into one file, or write a whole one anew\n"
     "\n"
     "Usage: tribox merge PART... -o FILE [OPTION...]\n"
     "\n"
     "PART... are the .npz files of 'tribox voxelize --shard I/N' for all shards, in any order. The\n"
     "result is that of a voxelization in one piece, bit for bit. If FILE is sparse, little memory is\n"
-    "needed.\n"
+    "needed. A .npz of the whole, of 'tribox voxelize' or Python, becomes a file of another format.\n"
     "\n" RESULT_HELP "  -t, --threads T         1 to 256; default: one for each processor. The file is the same\n" OPTIONS_HELP_HELP
     "\n"
     "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"

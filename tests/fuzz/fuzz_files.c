@@ -76,7 +76,7 @@ typedef struct part_bricks {
 } part_bricks;
 
 /* Every brick has a place in the grid, and no cell of it is beyond. */
-static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
+static int take_brick(void *data, const part_brick *brick)
 {
     part_bricks *const read = data;
     const uint32_t *const size = read->p->header.whole.cells.grid.size;
@@ -88,7 +88,7 @@ static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
             const bool is_inside = cell[0] < size[0] && cell[1] < size[1] && cell[2] < size[2];
             ensure(is_inside || !(brick->bits[k] >> b & 1), "a cell is outside the grid");
         }
-    ensure(!ids == !read->p->header.whole.has_ids, "ids are there where there are none, or are not");
+    ensure(!brick->ids == !read->p->header.whole.has_ids, "ids are there where there are none, or are not");
     read->bricks++;
     read->cells += brick->cells;
     return EXIT_CODE_OK;

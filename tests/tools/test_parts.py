@@ -85,7 +85,7 @@ class Parts(Voxels):
         """A part with other arrays under checksums that fit, as NumPy would write it."""
         stored = {**readers.arrays(path), **arrays}
         with zipfile.ZipFile(self.path("rewritten.npz"), "w", kind) as to:
-            for name, array in stored.items():
+            for name, array in ((name, array) for name, array in stored.items() if array is not None):
                 with to.open(name + ".npy", "w", force_zip64=True) as member:  # as numpy.savez
                     np.lib.format.write_array(member, np.asanyarray(array), (1, 0))
         return self.path("rewritten.npz")
@@ -196,6 +196,63 @@ class Parts(Voxels):
                              {"tiles": np.array([start + 1, end], "<u8")}),
                             ("ends before the last tile", {"tiles": np.array([start, end - 1], "<u8")})):
             self.refuse_parts("rewritten.npz.*" + why, first, self.rewritten(second, **arrays))
+
+    def coloured(self):
+        """The mesh with a colour of each triangle."""
+        points, count = TRIANGLES.reshape(-1, 3).tolist(), len(TRIANGLES)
+        rows = ["%r %r %r" % tuple(p) for p in points] + ["3 %d %d %d %d 9 %d" % (3 * n, 3 * n + 1, 3 * n + 2, 20 * n, 255 - n)
+                                                          for n in range(count)]
+        return self.write("coloured.off", "OFF\n%d %d 0\n%s\n" % (len(points), count, "\n".join(rows)))
+
+    def test_wholes(self):
+        """A file of the whole becomes each other that holds as much, byte by byte as if that had been written at first."""
+        holds = {each["word"]: each["holds"] for each in json.loads(self.succeed("info", "--json"))["formats"]}
+        grid = ("--cell", "0.05")
+        for what, mesh, options in (("", self.mesh, ()), ("ids", self.mesh, ("--ids", "--deflate")),
+                                    ("colours", self.coloured(), ("--colours",)),
+                                    ("labels", self.mesh, ("--fill", "outside", "--labels"))):
+            whole = self.path("whole.npz")
+            self.succeed("voxelize", mesh, *grid, *options, "-q", "-o", whole)
+            for word in harness.formats():
+                to = ("--out-format", word, "-q", "-o")
+                if what not in holds[word]:
+                    self.fail_with(1, "whole.npz: has %s, and .%s holds none: write .npz.* or voxelize without --%s" %
+                                   (what, word, what), "merge", whole, *to, self.path("x"))
+                    continue
+                own = [option for option in options if option != "--deflate"]
+                self.succeed("voxelize", mesh, *grid, *own, *to, self.path("one"))
+                self.succeed("merge", whole, *to, self.path("other"))
+                one, other = read(self.path("one")), read(self.path("other"))
+                if word == "vdb":
+                    one, other = map(readers.without_vdb_id, (one, other))
+                self.assertEqual(one, other, (word, what))
+
+    def test_arrays_of_wholes(self):
+        whole = self.path("whole.npz")
+        self.succeed("voxelize", self.mesh, *GRID, "--ids", "-q", "-o", whole)
+        stored = readers.arrays(whole)
+        at, bits, ids = stored["at"], stored["bits"], stored["ids"]
+        beyond, twice, cells = at.copy(), at.copy(), len(ids)
+        beyond[3], twice[-1] = (49, 0, 0), twice[5]
+        again = self.rewritten(whole, at=at[::-1], bits=bits[::-1], ids=ids[::-1])  # in another order: those of other cells
+        self.succeed("merge", again, "-q", "-o", self.path("again.npz"))
+        self.assertEqual(readers.arrays(self.path("again.npz"))["at"].tolist(), at[::-1].tolist())
+        for why, arrays in (("it has bricks outside the grid", {"at": beyond}),
+                            ("it ends early, or has a brick twice", {"at": twice}),
+                            ("its ids are not those of its cells", {"ids": ids[1:]}),
+                            ("it has ids that int32 does not hold", {"ids": ids + np.uint32(2 ** 31)}),
+                            (None, {"inside": bits, "ids": None}),
+                            ("cells are inside that are not set", {"inside": ~bits, "ids": None}),
+                            ("its arrays do not fit its bricks", {"inside": bits[1:], "ids": None}),
+                            ("its colours are not those of its cells", {"colours": np.zeros((cells - 1, 3), "u1"), "ids": None}),
+                            ("what it says of the whole makes no sense", {"shift": np.array([0, NAN, 0])})):
+            path = self.rewritten(whole, **arrays)
+            if why:
+                self.refuse_parts("rewritten.npz: damaged: %s; write it again" % why, path)
+            else:
+                self.succeed("merge", path, "-q", "-o", self.path("x.npz"))
+        self.refuse_parts("has more than one of ids, inside and colours", self.rewritten(whole, inside=bits))
+        self.refuse_parts("whole.npz: is no part of a whole; .* or one that is whole alone", whole, whole)
 
     def test_more_shards_than_tiles(self):
         self.assertEqual(self.merged(*(self.part("%d/3" % n, grid=("-r", "9")) for n in (1, 2, 3))),

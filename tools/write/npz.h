@@ -8,8 +8,9 @@
 enum {
     NPZ_BITS,
     NPZ_AT,
-    NPZ_IDS,
-    NPZ_ARRAYS, /* of a part */
+    NPZ_MORE, /* one of the next three, of which a part has ids alone */
+    NPZ_IDS = NPZ_MORE,
+    NPZ_ARRAYS,
     NPZ_INSIDE = NPZ_ARRAYS,
     NPZ_COLOURS,
     NPZ_ORIGIN,

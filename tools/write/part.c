@@ -108,6 +108,11 @@ static int check_borders(const part *parts, size_t count)
 
 int part_join(part *parts, size_t count)
 {
+    for (size_t i = 0; i < count; i++)
+        if (!parts[i].header.shard)
+            return message_failure("%s: is no part of a whole; give the files that tribox voxelize --shard wrote, or one that is "
+                                   "whole alone",
+                                   parts[i].path);
     int code = EXIT_CODE_OK;
     for (size_t i = 1; i < count && !code; i++)
         code = check_alike(&parts[0], &parts[i]);

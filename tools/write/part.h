@@ -1,10 +1,11 @@
-/* part.h - a .npz file of the bricks that one of several runs has found, "shard 2 of 8": what tribox merge reads. */
+/* part.h - a .npz file of the bricks that one of several runs has found, "shard 2 of 8", or of all: what tribox merge reads. */
 #ifndef PART_H
 #define PART_H
 
 #include <stdbool.h>
 
 #include "checksum.h"
+#include "colours/rgb.h"
 #include "console/progress.h"
 #include "file_out.h"
 #include "read/mesh.h"
@@ -15,17 +16,18 @@
 typedef struct part_whole {
     voxels cells; /* the grid and the shift alone */
     uint32_t shards;
-    uint32_t accuracy, axes; /* as in tribox_options */
-    uint32_t position_bytes; /* 4: the mesh is one of floats, 8: of doubles */
-    uint32_t tile;           /* cells along a side of a tile */
-    bool has_ids;            /* of its cells */
+    uint32_t accuracy, axes;      /* as in tribox_options */
+    uint32_t position_bytes;      /* 4: the mesh is one of floats, 8: of doubles */
+    uint32_t tile;                /* cells along a side of a tile */
+    bool has_ids;                 /* of its cells */
+    bool has_labels, has_colours; /* of which only a file of the whole has one, in place of ids */
     uint64_t triangles;
     mesh_sums sums;
 } part_whole;
 
 /* Which part it is. */
 typedef struct part_header {
-    uint32_t shard; /* 1 .. shards */
+    uint32_t shard; /* 1 .. shards; 0: the whole, of which it says no more than the grid and the shift */
     part_whole whole;
     uint64_t from, to; /* the tiles from .. to - 1 are what it holds */
 } part_header;
@@ -35,6 +37,9 @@ typedef struct part_brick {
     uint32_t at[3];
     uint32_t cells; /* that are set */
     uint64_t bits[8];
+    const uint32_t *ids;    /* of its set cells, in the order of the bits; NULL where they have none */
+    const rgb *colours;     /* the same */
+    const uint64_t *inside; /* which of the bits are inside; NULL without labels */
 } part_brick;
 
 /* A checksum of the nine numbers of a triangle, as doubles; 0 of one that is not finite. */
@@ -46,19 +51,23 @@ mesh_sums mesh_sums_of(const mesh *m);
 typedef struct part {
     const char *path;
     part_header header;
-    zip_member arrays[3]; /* bits, places and ids of the bricks: npz.h */
-    uint64_t bricks, ids;
+    zip_member arrays[3]; /* bits and places of the bricks, and `more`: npz.h */
+    int more;             /* ids, labels or colours; 0 for none of them */
+    uint64_t bricks;
     uint64_t cells; /* that part_read has found */
 } part;
 
 /* Reads all of a part but the bricks and checks it. Returns an exit_code. */
 int part_open(part *p, const char *path);
 
-/* Sorts the parts by their shards and refuses them where they are not the parts of one whole, each once. Returns an exit_code. */
+/*
+ * Sorts the parts by their shards, and refuses them where they are not the parts of one whole, each once; also one that is a whole
+ * itself. Returns an exit_code.
+ */
 int part_join(part *parts, size_t count);
 
-/* Takes a brick and the ids of its set cells; NULL where they have none. Returns an exit_code, which ends the reading. */
-typedef int part_taker(void *data, const part_brick *brick, const uint32_t *ids);
+/* Takes a brick, for as long as this takes. Returns an exit_code, which ends the reading. */
+typedef int part_taker(void *data, const part_brick *brick);
 
 /* Reads a part to its end, in little memory, and refuses one that is damaged: what was taken until then is void. */
 int part_read(part *p, unsigned threads, part_taker *take, void *data);

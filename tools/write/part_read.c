@@ -1,4 +1,4 @@
-/* part_read.c - reads the .npz file of a part, and checks that it is whole. */
+/* part_read.c - reads the .npz file of a part, or of the whole, and checks that it is complete. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <math.h>
@@ -11,9 +11,9 @@
 #include "npz.h"
 #include "read/little.h"
 
-enum { BRICK = 8, BRICK_CELLS = 512, TILE_MOST = 1024, BLOCK = 1024 };
+enum { BRICK = 8, BRICK_CELLS = 512, TILE_MOST = 1024, BLOCK = 1024, AT_BYTES = 12, BITS_BYTES = 64 };
 
-static const char again[] = "run that shard again";
+static const char again[] = "write it again";
 
 static FILE *open_file(const char *path, uint64_t *size)
 {
@@ -22,7 +22,7 @@ static FILE *open_file(const char *path, uint64_t *size)
     if (!file) {
         message_failure("%s: cannot open the part: %s", path, strerror(errno));
     } else if (!named_file_about_open(file, &about) || about.kind != FILE_KIND_REGULAR) {
-        message_failure("%s: not a regular file; give the .npz files that tribox voxelize --shard wrote", path);
+        message_failure("%s: not a regular file; give .npz files that tribox wrote", path);
         fclose(file);
         return NULL;
     }
@@ -61,33 +61,41 @@ static bool read_row(FILE *file, const zip_member *m, int array, uint64_t number
 
 static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
 
+static bool is_whole(const part_header *header) { return !header->shard; }
+
 static bool is_sound(const part_header *header)
 {
     const part_whole *const whole = &header->whole;
     const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
     const voxels *const v = &whole->cells;
-    return header->shard && header->shard <= whole->shards && whole->axes && is_size(whole->position_bytes) &&
-           isfinite(v->shift[0] + v->shift[1] + v->shift[2]) && whole->tile && whole->tile <= TILE_MOST &&
-           whole->tile % BRICK == 0 && voxels_are_served(&v->grid, &options) && header->from <= header->to &&
-           header->to <= tribox_tile_count(v->grid.size, whole->tile);
+    if (!whole->axes || !isfinite(v->shift[0] + v->shift[1] + v->shift[2]) || !voxels_are_served(&v->grid, &options))
+        return false;
+    return is_whole(header) ||
+           (header->shard <= whole->shards && is_size(whole->position_bytes) && whole->tile && whole->tile <= TILE_MOST &&
+            whole->tile % BRICK == 0 && header->from <= header->to && header->to <= tribox_tile_count(v->grid.size, whole->tile));
 }
 
-/* A member that no part has may be one that it has, under a damaged name. */
-static int check_names(const part *p, const zip_member *members, unsigned count)
+/* How many of the arrays from one to before another there are. */
+static unsigned count_named(const zip_member *members, unsigned count, int from, int end)
 {
     unsigned known = 0;
-    for (int a = 0; a < NPZ_ARRAYS; a++)
+    for (int a = from; a < end; a++)
         known += member_named(members, count, npz_arrays[a].name) != NULL;
-    for (int r = NPZ_ORIGIN; r < NPZ_END; r++) {
-        const bool is_there = member_named(members, count, npz_arrays[r].name);
-        known += is_there;
-        if (!is_there)
-            return r == NPZ_SHARD
-                       ? message_failure("%s: is no part of a whole; give the files that tribox voxelize --shard wrote", p->path)
-                       : message_failure("%s: damaged, or no part: it lacks %s; %s", p->path, npz_arrays[r].name, again);
-    }
-    return known == count ? EXIT_CODE_OK
-                          : message_failure("%s: damaged: it has members that parts do not have; %s", p->path, again);
+    return known;
+}
+
+/* A member that no part has may be one that it has, under a damaged name. end: behind the arrays that have to be there. */
+static int check_names(const part *p, const zip_member *members, unsigned count, int end)
+{
+    for (int r = NPZ_ORIGIN; r < end; r++)
+        if (!member_named(members, count, npz_arrays[r].name))
+            return message_failure("%s: damaged, or no part: it lacks %s; %s", p->path, npz_arrays[r].name, again);
+    const unsigned known = count_named(members, count, 0, end < NPZ_END ? NPZ_ORIGIN : NPZ_ARRAYS);
+    if (known + (unsigned)(end - NPZ_ORIGIN) != count)
+        return message_failure("%s: damaged: it has members that parts do not have; %s", p->path, again);
+    return count_named(members, count, NPZ_MORE, NPZ_ORIGIN) < 2
+               ? EXIT_CODE_OK
+               : message_failure("%s: has more than one of ids, inside and colours; leave others out", p->path);
 }
 
 /* How many rows an array has; UINT64_MAX where its header says otherwise. */
@@ -106,39 +114,74 @@ static uint64_t count_rows(FILE *file, const zip_member *m, int array)
 static int find_bricks(part *p, FILE *file, const zip_member *members, unsigned count)
 {
     uint64_t found[NPZ_ARRAYS] = {0};
-    for (int a = 0; a < NPZ_ARRAYS; a++) {
+    for (int a = 0; a < NPZ_ORIGIN; a++) {
         const zip_member *const m = member_named(members, count, npz_arrays[a].name);
-        if (!m && a != NPZ_IDS)
+        const int place = a < NPZ_MORE ? a : NPZ_MORE;
+        if (!m && a < NPZ_MORE)
             return message_failure("%s: damaged: it lacks %s; %s", p->path, npz_arrays[a].name, again);
-        p->header.whole.has_ids |= a == NPZ_IDS && m;
-        p->arrays[a] = m ? *m : (zip_member){.bytes = 0};
-        found[a] = m ? count_rows(file, m, a) : 0;
+        if (!m)
+            continue;
+        p->more = a < NPZ_MORE ? 0 : a;
+        p->arrays[place] = *m;
+        found[place] = count_rows(file, m, a);
     }
+    p->header.whole.has_ids = p->more == NPZ_IDS;
+    p->header.whole.has_labels = p->more == NPZ_INSIDE;
+    p->header.whole.has_colours = p->more == NPZ_COLOURS;
     p->bricks = found[NPZ_BITS];
-    p->ids = found[NPZ_IDS];
-    if (found[NPZ_BITS] == UINT64_MAX || found[NPZ_AT] != found[NPZ_BITS] || found[NPZ_IDS] == UINT64_MAX)
+    if (found[NPZ_BITS] == UINT64_MAX || found[NPZ_AT] != found[NPZ_BITS] || found[NPZ_MORE] == UINT64_MAX ||
+        (p->more == NPZ_INSIDE && found[NPZ_MORE] != p->bricks))
         return message_failure("%s: damaged: its arrays do not fit its bricks; %s", p->path, again);
     return EXIT_CODE_OK;
+}
+
+static int by_place(const void *a, const void *b) { return memcmp(a, b, AT_BYTES); }
+
+/* The bricks of a whole come in any order, but each once. */
+static int check_places(const part *p, FILE *file)
+{
+    zip_reader r;
+    unsigned char header[NPY_HEADER];
+    unsigned char(*const at)[AT_BYTES] = p->bricks < SIZE_MAX / AT_BYTES ? malloc((size_t)p->bricks * AT_BYTES + 1) : NULL;
+    int code =
+        at && zip_reader_open(&r, file, &p->arrays[NPZ_AT]) ? EXIT_CODE_OK : message_failure("out of memory for %s", p->path);
+    if (!code) {
+        bool is_read = zip_reader_read(&r, header, sizeof header);
+        for (uint64_t n = 0, block; is_read && n < p->bricks; n += block) {
+            block = p->bricks - n < BLOCK ? p->bricks - n : BLOCK;
+            is_read = zip_reader_read(&r, at[n], (size_t)block * AT_BYTES);
+        }
+        zip_reader_close(&r);
+        qsort(at, is_read ? (size_t)p->bricks : 0, sizeof *at, by_place);
+        for (uint64_t n = 1; is_read && n < p->bricks; n++)
+            is_read = by_place(at[n - 1], at[n]) != 0;
+        code = is_read ? EXIT_CODE_OK : message_failure("%s: damaged: it ends early, or has a brick twice; %s", p->path, again);
+    }
+    free(at);
+    return code;
 }
 
 static int read_about(part *p, FILE *file, uint64_t size)
 {
     zip_member members[ZIP_MEMBERS_MAX];
-    npz_about about;
+    npz_about about = {{{0}}};
     const unsigned count = zip_in_list(file, size, members);
     if (!count)
-        return message_failure("%s: not a part, or only the beginning of one, or damaged; give the .npz files that tribox voxelize "
-                               "--shard wrote",
+        return message_failure("%s: not a part, or only the beginning of one, or damaged; give .npz files that tribox wrote",
                                p->path);
-    const int code = check_names(p, members, count);
+    const int end = count_named(members, count, NPZ_SHARD, NPZ_END) ? NPZ_END : NPZ_SHARD;
+    int code = check_names(p, members, count, end);
     if (code)
         return code;
-    for (int r = NPZ_ORIGIN; r < NPZ_END; r++)
+    for (int r = NPZ_ORIGIN; r < end; r++)
         if (!read_row(file, member_named(members, count, npz_arrays[r].name), r, about.of[r]))
             return message_failure("%s: damaged: its %s is not what was written; %s", p->path, npz_arrays[r].name, again);
-    if (!npz_take_about(&p->header, &about) || !is_sound(&p->header))
+    if (end == NPZ_SHARD)
+        about.of[NPZ_WHOLE][5] = TRIBOX_AXES_ALL;
+    if (!npz_take_about(&p->header, &about) || (end == NPZ_END && is_whole(&p->header)) || !is_sound(&p->header))
         return message_failure("%s: damaged: what it says of the whole makes no sense; %s", p->path, again);
-    return find_bricks(p, file, members, count);
+    code = find_bricks(p, file, members, count);
+    return code || !is_whole(&p->header) ? code : check_places(p, file);
 }
 
 int part_open(part *p, const char *path)
@@ -155,6 +198,8 @@ int part_open(part *p, const char *path)
 
 static int refuse(const part *p, const char *why)
 {
+    if (is_whole(&p->header))
+        return message_failure("%s: damaged: %s; %s", p->path, why, again);
     return message_failure("%s: damaged: %s; run shard %u of %u again", p->path, why, p->header.shard, p->header.whole.shards);
 }
 
@@ -220,7 +265,11 @@ static bool is_at_border(const uint32_t size[3], const uint32_t at[3])
 /* NULL if the brick is where one may be, else why not. */
 static const char *check_brick(const part_header *h, const part_brick *b, tile_place *here)
 {
-    if (is_within(here, b->at)) {
+    if (is_whole(h)) {
+        for (int a = 0; a < 3; a++)
+            if (b->at[a] > (h->whole.cells.grid.size[a] - 1) / BRICK)
+                return "it has bricks outside the grid";
+    } else if (is_within(here, b->at)) {
         if (!comes_after(b->at, here->last))
             return "its bricks are out of order";
     } else {
@@ -240,9 +289,13 @@ static const char *check_brick(const part_header *h, const part_brick *b, tile_p
 /* Bricks that have been read and not yet handed on. */
 typedef struct block {
     size_t count;
-    unsigned char at[BLOCK][12], bits[BLOCK][64];
+    unsigned char at[BLOCK][AT_BYTES], bits[BLOCK][BITS_BYTES];
     part_brick bricks[BLOCK];
-    uint32_t ids[BLOCK * BRICK_CELLS];
+    union { /* in the order of the bricks */
+        uint32_t ids[BLOCK * BRICK_CELLS];
+        rgb colours[BLOCK * BRICK_CELLS];
+        uint64_t inside[BLOCK][8];
+    } more;
 } block;
 
 typedef struct reading {
@@ -255,9 +308,9 @@ typedef struct reading {
     int code; /* of the reading, which ends it */
 } reading;
 
-static part_brick brick_of(const unsigned char at[12], const unsigned char bits[64])
+static part_brick brick_of(const unsigned char at[AT_BYTES], const unsigned char bits[BITS_BYTES])
 {
-    part_brick b;
+    part_brick b = {.ids = NULL};
     for (int a = 0; a < 3; a++)
         b.at[a] = little_get32(at + 4 * a);
     for (int k = 0; k < 8; k++)
@@ -266,13 +319,38 @@ static part_brick brick_of(const unsigned char at[12], const unsigned char bits[
     return b;
 }
 
-static bool read_ids(reading *r, block *b, uint64_t count)
+static const char *not_of_cells(const part *p)
 {
-    if (!zip_reader_read(&r->from[NPZ_IDS], b->ids, (size_t)count * sizeof *b->ids))
-        return false;
-    for (uint64_t n = 0; n < count; n++)
-        b->ids[n] = little_get32((const unsigned char *)&b->ids[n]);
-    return true;
+    return p->more == NPZ_IDS       ? "its ids are not those of its cells"
+           : p->more == NPZ_COLOURS ? "its colours are not those of its cells"
+                                    : "its inside is not that of its bricks";
+}
+
+/* What there is besides of all bricks, which have so many cells; NULL if it can be, else what is wrong. */
+static const char *read_more(reading *r, block *b, uint64_t cells)
+{
+    const int more = r->p->more;
+    const size_t rows = more == NPZ_INSIDE ? b->count : (size_t)cells;
+    const char *why = more && !zip_reader_read(&r->from[NPZ_MORE], &b->more, rows * (size_t)npz_arrays[more].row_bytes)
+                          ? not_of_cells(r->p)
+                          : NULL;
+    for (size_t n = 0; more == NPZ_IDS && n < rows && !why; n++) {
+        b->more.ids[n] = little_get32((const unsigned char *)&b->more.ids[n]);
+        if (b->more.ids[n] > INT32_MAX)
+            why = "it has ids that int32 does not hold";
+    }
+    for (size_t i = 0, first = 0; i < b->count && !why; first += b->bricks[i++].cells) {
+        part_brick *const brick = &b->bricks[i];
+        brick->ids = more == NPZ_IDS ? b->more.ids + first : NULL;
+        brick->colours = more == NPZ_COLOURS ? b->more.colours + first : NULL;
+        brick->inside = more == NPZ_INSIDE ? b->more.inside[i] : NULL;
+        for (int k = 0; k < 8 && brick->inside; k++) {
+            b->more.inside[i][k] = little_get64((const unsigned char *)&b->more.inside[i][k]);
+            if (brick->inside[k] & ~brick->bits[k])
+                why = "cells are inside that are not set";
+        }
+    }
+    return why;
 }
 
 static int read_block(reading *r, block *b)
@@ -287,13 +365,11 @@ static int read_block(reading *r, block *b)
         b->bricks[i] = brick_of(b->at[i], b->bits[i]);
         cells += b->bricks[i].cells;
     }
-    if (header->whole.has_ids && !read_ids(r, b, cells))
-        return refuse(r->p, "its ids are not those of its cells");
-    for (size_t i = 0; i < b->count; i++) {
-        const char *const why = check_brick(header, &b->bricks[i], &r->here);
-        if (why)
-            return refuse(r->p, why);
-    }
+    const char *why = read_more(r, b, cells);
+    for (size_t i = 0; i < b->count && !why; i++)
+        why = check_brick(header, &b->bricks[i], &r->here);
+    if (why)
+        return refuse(r->p, why);
     r->p->cells += cells;
     r->left -= b->count;
     return EXIT_CODE_OK;
@@ -320,13 +396,10 @@ static int take_block(void *data, void *place, size_t n)
 {
     const reading *const r = data;
     const block *const b = place;
-    const uint32_t *ids = r->p->header.whole.has_ids ? b->ids : NULL;
     int code = EXIT_CODE_OK;
     (void)n;
-    for (size_t i = 0; i < b->count && !code; i++) {
-        code = r->take(r->data, &b->bricks[i], ids);
-        ids = ids ? ids + b->bricks[i].cells : NULL;
-    }
+    for (size_t i = 0; i < b->count && !code; i++)
+        code = r->take(r->data, &b->bricks[i]);
     return code;
 }
 
@@ -339,7 +412,7 @@ static void *make_block(void *data)
 static int read_bricks(reading *r, FILE *file, unsigned threads)
 {
     unsigned char header[NPY_HEADER];
-    const int arrays = r->p->header.whole.has_ids ? NPZ_ARRAYS : NPZ_IDS;
+    const int arrays = r->p->more ? NPZ_ARRAYS : NPZ_MORE;
     const crew_work work = {.threads = threads < 2 ? threads : 2,
                             .each = 2,
                             .is_told_in_order = true,
@@ -358,7 +431,7 @@ static int read_bricks(reading *r, FILE *file, unsigned threads)
     code = code == (int)MESSAGE_NO_MEMORY ? lack_memory(r->p) : code ? code : r->code;
     for (int a = 0; a < arrays && !code; a++)
         if (!zip_reader_is_whole(&r->from[a]))
-            code = refuse(r->p, r->from[a].left ? "its ids are not those of its cells" : "its checksum does not match its content");
+            code = refuse(r->p, r->from[a].left ? not_of_cells(r->p) : "its checksum does not match its content");
     return code;
 }
 
