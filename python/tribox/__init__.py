@@ -87,6 +87,7 @@ from ._index import Index
 from ._library import VERSION, kernel_name, kernels, lib
 from ._masks import mask_indices
 from ._overlap import Cropped, classify, crop, find, overlap, overlap_all, overlap_any, overlap_boxes, overlap_oriented, split
+from ._program import read
 from ._tiles import tile_count
 from ._triangles import Mesh, Soup
 from ._typing import TrianglesLike as TrianglesLike
@@ -100,5 +101,5 @@ __all__ = [
     "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "CellLists", "Cropped", "Error", "Grid", "Index",
     "InputError", "InputTypeError", "Mesh", "OpenMeshWarning", "OrientedBox", "Soup", "Voxels", "bricks", "cell_lists",
     "classify", "crop", "find", "grid_around", "kernel_name", "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any",
-    "overlap_boxes", "overlap_oriented", "split", "tile_count", "voxelize",
+    "overlap_boxes", "overlap_oriented", "read", "split", "tile_count", "voxelize",
 ]

@@ -23,7 +23,7 @@ from ._tiles import (NUMBER, Listed, Tiling, Workshop, bits_of_bricks, brick_ids
 from ._triangles import held
 from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
 from ._voxelize import new_cells
-from ._voxels import Voxels, middles
+from ._voxels import Voxels, fixed, middles
 
 BATCH_BYTES, BATCH_MAX = 1 << 20, 1 << 10  # of tiles that are cut into bricks at once
 
@@ -36,7 +36,7 @@ class Bricks:
     shift: what was subtracted from the mesh, if the bricks come from a file that says so. shard: (I, N) if the file is only
     part I of N; else None. ids: if they were wanted, or a file has them, uint32: for each set cell the lowest number of a
     triangle that overlaps it, in the order of cells(); else None. inside: if cells have labels, which of bits are inside, in the
-    same shape; else None.
+    same shape; else None. colors: if a file has them, uint8 of shape (m, 3), in the order of cells(); else None.
     """
 
     at: NDArray[np.uint32]
@@ -46,6 +46,7 @@ class Bricks:
     shard: Optional[Tuple[int, int]] = None
     ids: Optional[NDArray[np.uint32]] = None
     inside: Optional[NDArray[np.uint64]] = None
+    colors: Optional[NDArray[np.uint8]] = None
 
     def __repr__(self) -> str:
         part = f", shard {self.shard[0]} of {self.shard[1]}" if self.shard else ""
@@ -60,13 +61,15 @@ class Bricks:
         return Bricks(*load_bricks(path))
 
     def voxels(self) -> Voxels:
-        """All cells of the grid, also the clear ones, as Voxels with ids and labels. InputError for a part, and over 16 GiB."""
+        """All cells of the grid, also the clear ones, as Voxels with ids, labels or colors. InputError for a part and over 16 GiB."""
         if self.shard:
             raise InputError(f"these Bricks are shard {self.shard[0]} of {self.shard[1]}; tribox merge makes one file of all")
         shape = self.grid.size[::-1]
         voxels = Voxels(dense(self.at, self.bits, shape, self.grid), self.grid)
-        if self.ids is not None:
-            voxels._with_ids(self.ids[np.lexsort(self.cells().T)])
+        if self.ids is not None or self.colors is not None:
+            order = np.lexsort(self.cells().T)
+            voxels._ids = None if self.ids is None else fixed(self.ids[order])
+            voxels._colors = None if self.colors is None else fixed(self.colors[order])
         return voxels if self.inside is None else voxels._with_inside(dense(self.at, self.inside, shape, self.grid))
 
     def cells(self) -> NDArray[np.int64]:
@@ -79,7 +82,10 @@ class Bricks:
         return middles(self.grid, self.cells())
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes a .npz file, as Voxels.save describes it; InputError for names of other kinds."""
+        """Writes a file of any format that Voxels.save writes, by the ending of its name; of a part, .npz alone.
+
+        Formats that hold all cells, such as .npy, take memory for these.
+        """
         save_bricks(self, os.fspath(path))
 
 
@@ -122,20 +128,28 @@ def bits_at(words, tile, i, j, k):
 
 def bricks_in(voxels):
     """The bricks of all cells of a grid, in the order of z, y and x."""
-    parts, ids, insides, start = [], [], [], 0
+    parts, of_cells, insides, start = [], [], [], 0
+    numbers = voxels._ids if voxels._colors is None else numbers_of(voxels._colors)  # which come into the order of bricks
     for k in range(0, voxels.shape[0], 8):
         layers = voxels.words[k:k + 8]
         parts.append(cut(padded(layers), np.array([[0, 0, k // 8]])))
         at, bits = parts[-1]
-        if voxels._ids is not None:
-            in_cells = cells_of_ids(voxels._ids[start:], bools(layers, voxels.shape[2]))
-            ids.append(brick_ids(in_cells, at - np.array([0, 0, k // 8], NUMBER), bits))
-            start += len(ids[-1])
+        if numbers is not None:
+            in_cells = cells_of_ids(numbers[start:], bools(layers, voxels.shape[2]))
+            of_cells.append(brick_ids(in_cells, at - np.array([0, 0, k // 8], NUMBER), bits))
+            start += len(of_cells[-1])
         if voxels.inside is not None:
             i, j, _ = at.T
             insides.append(bits_at(little(padded(voxels.inside.words[k:k + 8])), 0 * i, i, j, 0 * i))
-    return replace(joined(parts, voxels.grid), ids=None if voxels._ids is None else np.concatenate([np.empty(0, NUMBER), *ids]),
+    found = np.concatenate([np.empty(0, NUMBER), *of_cells])
+    return replace(joined(parts, voxels.grid), ids=None if voxels._ids is None else found,
+                   colors=None if voxels._colors is None else found.view(BYTE).reshape(-1, 4)[:, :3],
                    inside=None if voxels.inside is None else np.concatenate([np.empty((0, 8), WORD), *insides]))
+
+
+def numbers_of(colors):
+    """One of each colour, whose first three bytes it is."""
+    return np.pad(colors, ((0, 0), (0, 1))).view(NUMBER)[:, 0]
 
 
 def padded(layers):

@@ -1,4 +1,4 @@
-"""Files of cells, as the program tribox writes them, and Bricks.load, which reads those of bricks."""
+"""Files of cells, as the program tribox writes them, some by the program itself; and those that can be read again."""
 
 import errno
 import os
@@ -6,12 +6,14 @@ import re
 import secrets
 from collections import namedtuple
 from contextlib import suppress
+from types import SimpleNamespace
 
 import numpy as np
 
 from ._errors import Error, InputError, shown
 from ._grids import Grid
 from ._masks import bools, labels_of
+from ._program import write_by_program
 
 Kind = namedtuple("Kind", "name dtype nrrd vtk range remark")
 OCCUPIED = Kind("occupied", "|b1", "uint8", "UInt8", ' RangeMin="0" RangeMax="1"', "")
@@ -102,7 +104,8 @@ def write_bricks(file, bricks):
     """.npz"""
     grid, ids = bricks.grid, {} if bricks.ids is None else dict(ids=bricks.ids)
     labels = {} if bricks.inside is None else dict(inside=bricks.inside)
-    np.savez(file, bits=bricks.bits, at=bricks.at, **labels, origin=np.array(grid.origin), cell=np.array(grid.cell),
+    colors = {} if bricks.colors is None else dict(colours=bricks.colors)
+    np.savez(file, bits=bricks.bits, at=bricks.at, **labels, **colors, origin=np.array(grid.origin), cell=np.array(grid.cell),
              size=np.array(grid.size, np.uint32), shift=np.array(bricks.shift, float), **ids)
 
 
@@ -113,13 +116,22 @@ def write_npz(file, voxels):
 
 
 WRITERS = {".npz": write_npz, ".npy": write_npy, ".nrrd": write_nrrd, ".vti": write_vti}
+# What each format holds besides cells; a test asks the program.
+HOLDS = {".npz": ("ids", "labels", "colors"), ".npy": ("ids", "labels"), ".nrrd": ("ids", "labels"), ".vti": ("ids", "labels"),
+         ".vdb": ("ids", "labels", "colors"), ".vox": ("labels", "colors"), ".ply": ("colors",), ".obj": ("colors",),
+         ".glb": ("colors",), ".binvox": (), ".raw": ("ids", "labels")}
 
 
-def ending_of(path, endings):
+def ending_of(path, cells):
+    """Of a format that holds all that is known of cells, Voxels or Bricks."""
     ending = os.path.splitext(path)[1].lower()
-    if ending not in endings:
-        raise InputError(f"path = {shown(path)}; here files are written whose names end in {', '.join(endings)}; the program "
-                         "writes others: tribox voxelize MESH -o FILE")
+    if ending not in HOLDS:
+        raise InputError(f"path = {shown(path)}; files are written whose names end in {', '.join(HOLDS)}")
+    for what, one in (("ids", cells.ids), ("labels", cells.inside), ("colors", cells.colors)):
+        if one is not None and what not in HOLDS[ending]:
+            others = ", ".join(other for other, held in HOLDS.items() if what in held)
+            raise InputError(f"path = {shown(path)}; {ending} holds no {what}; give a name that ends in {others}, or save "
+                             "tribox.Voxels(voxels.words, voxels.grid), the cells alone")
     return ending
 
 
@@ -138,21 +150,30 @@ def write_new(path, write, what):
 
 
 def save_voxels(voxels, path):
-    ending = ending_of(path, WRITERS)
+    ending = ending_of(path, SimpleNamespace(ids=voxels._ids, inside=voxels._inside, colors=voxels._colors))
     if ending != ".npy" and voxels.window[1] != voxels.grid.size:
         raise InputError(f"path = {shown(path)}; these are the cells {voxels.window} of a grid of {voxels.grid.sides()}, and files "
                          "but .npy hold whole grids; voxelize without a window, or give a name that ends in .npy")
-    write_new(path, WRITERS[ending], voxels)
+    write_as(path, ending, WRITERS, voxels)
 
 
 def save_bricks(bricks, path):
-    ending_of(path, (".npz",))
-    write_new(path, write_bricks, bricks)
+    ending = ending_of(path, bricks)
+    if bricks.shard and ending != ".npz":
+        raise InputError(f"path = {shown(path)}; these Bricks are shard {bricks.shard[0]} of {bricks.shard[1]}; tribox merge makes "
+                         "one file of all")
+    write_as(path, ending, {".npz": write_bricks}, bricks)
+
+
+def write_as(path, ending, writers, cells):
+    """By one of these writers, else by the program."""
+    write = writers.get(ending) or (lambda file, what: write_by_program(file, lambda npz: writers[".npz"](npz, what), ending))
+    write_new(path, write, cells)
 
 
 KINDS = dict(at=("<u4", (-1, 3)), bits=("<u8", (-1, 8)), inside=("<u8", (-1, 8)), origin=("<f8", (3,)), cell=("<f8", (3,)),
-             size=("<u4", (3,)), shift=("<f8", (3,)), ids=("<u4", (-1,)), shard=("<u4", (2,)))
-WANTED = {"inside", "ids", "shard"}  # if they are there
+             size=("<u4", (3,)), shift=("<f8", (3,)), ids=("<u4", (-1,)), shard=("<u4", (2,)), colours=("|u1", (-1, 3)))
+WANTED = {"inside", "ids", "shard", "colours"}  # if they are there
 
 
 def arrays_of(path, file):
@@ -187,8 +208,9 @@ def ending_of_input(path):
     ending = os.path.splitext(path)[1].lower()
     if ending == ".npy":
         raise InputError(f"path = {shown(path)}; a .npy has no grid: tribox.Voxels(numpy.load(path), grid) makes Voxels of it")
-    if ending != ".npz" and ending not in HEADS:
-        raise InputError(f"path = {shown(path)}; here files are read whose names end in .npz, {', '.join(HEADS)}")
+    if ending not in (".npz", ".binvox", *HEADS):
+        raise InputError(f"path = {shown(path)}; files are read whose names end in .npz, {', '.join(HEADS)}, .binvox; others do not "
+                         "say where their cells are, or hold faces")
     return ending
 
 
@@ -235,17 +257,34 @@ def load_dense(path):
         return np.fromfile(file, dtype, count).reshape(grid.size[::-1]), grid, is_labels
 
 
+def load_binvox(path):
+    """An array of bool and the grid, a cube of cells."""
+    with open(path, "rb") as file:
+        head, _, runs = file.read().partition(b"\ndata\n")
+    found = re.fullmatch(rb"#binvox 1\ndim (\d+) \1 \1\ntranslate (.+)\nscale (.+)", head)
+    try:
+        side = int(found[1])
+        grid = Grid(numbers_in(found[2].decode("ascii")), float(found[3]) / side, (side,) * 3)
+        values, counts = np.frombuffer(runs, np.uint8).reshape(-1, 2).T
+        if counts.sum(dtype=np.uint64) != side ** 3:
+            raise ValueError(f"{counts.sum(dtype=np.uint64)} cells in place of {side ** 3}")
+    except (Error, ValueError, TypeError, ArithmeticError) as error:
+        raise InputError(f"{path}: not a file of cells as tribox writes them, or a damaged one: {error}") from error
+    return np.repeat(values != 0, counts).reshape(side, side, side).transpose(1, 2, 0), grid
+
+
 def load_bricks(path):
-    """at, bits, grid, shift, shard, ids and inside."""
+    """at, bits, grid, shift, shard, ids, inside and colors."""
     if not isinstance(path, (str, os.PathLike)):
         raise InputError(f"path = {shown(path)}; give the path of a file; tribox merge makes one of many parts")
     path = os.fspath(path)
     found = read(path)
-    at, bits, ids, inside, shard = (found.get(name) for name in ("at", "bits", "ids", "inside", "shard"))
+    at, bits, ids, inside, shard, colors = map(found.get, ("at", "bits", "ids", "inside", "shard", "colours"))
     for rows in (bits,) if inside is None else (bits, inside):
         if len(rows) != len(at):
             raise InputError(f"{path}: damaged: {len(at)} places of {len(rows)} bricks")
-    if ids is not None and len(ids) != np.count_nonzero(np.unpackbits(bits.view(np.uint8))):
-        raise InputError(f"{path}: damaged: {len(ids)} ids of other cells")
+    for what, rows in ("ids", ids), ("colours", colors):
+        if rows is not None and len(rows) != np.count_nonzero(np.unpackbits(bits.view(np.uint8))):
+            raise InputError(f"{path}: damaged: {len(rows)} {what} of other cells")
     return (at, bits, Grid(*(found[name] for name in ("origin", "cell", "size"))), tuple(found["shift"].tolist()),
-            None if shard is None else tuple(shard.tolist()), ids, inside)
+            None if shard is None else tuple(shard.tolist()), ids, inside, colors)

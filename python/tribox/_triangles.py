@@ -86,7 +86,7 @@ FORMS = (("vertices", "faces", as_they_are), ("vertices", "triangles", as_they_a
 def advice_about(what):
     """What to give in place of something that is often taken for triangles; None if it is not known."""
     if isinstance(what, (str, bytes, os.PathLike)):
-        return "meshio.read(path) or trimesh.load(path), the mesh of a file"
+        return "tribox.read(path), the mesh of a file"
     if hasattr(what, "GetPolys"):
         return "pyvista.wrap(polydata).triangulate()"
     if hasattr(what, "geometry") and hasattr(what, "graph"):
@@ -171,10 +171,11 @@ class Mesh:
     checked by each call.
     """
 
-    __slots__ = "_vertices", "_faces", "struct"
+    __slots__ = "_vertices", "_faces", "_face_colors", "struct"
     is_soup = False
     _vertices: NDArray[Any]
     _faces: Optional[NDArray[Any]]
+    _face_colors: Optional[NDArray[np.uint8]]
     struct: Any
 
     def __init__(self, vertices: Union[TrianglesLike, MeshLike], faces: Optional[ArrayLike] = None) -> None:
@@ -229,6 +230,11 @@ class Mesh:
     def faces(self) -> Optional[NDArray[Any]]:
         """The array that is read; None where three vertices after three are a triangle."""
         return self._faces
+
+    @property
+    def face_colors(self) -> Optional[NDArray[np.uint8]]:
+        """Of a mesh that tribox.read has made of a file with colours: uint8 of shape (n, 3); of others None."""
+        return getattr(self, "_face_colors", None)
 
     def __len__(self) -> int:
         return int(self.struct.count)

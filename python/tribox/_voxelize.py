@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import mmap
 import warnings
-from typing import Optional, SupportsIndex
+from typing import Optional, SupportsIndex, Union
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _c
 from ._arguments import check, meaning, options_of, range_of
@@ -21,7 +22,7 @@ from ._threads import threads_of
 from ._tiles import check_ids, window_ids
 from ._triangles import held
 from ._typing import Accuracy, Cell, Fill, GridLike, Range, TrianglesLike, Window
-from ._voxels import Voxels, window_of
+from ._voxels import Voxels, colors_of, window_of
 
 LARGE_PAGE = 1 << 21
 # From here on malloc of glibc takes fresh pages for every array, and gives them back. Less is mostly used again, and clearing it
@@ -138,11 +139,30 @@ def check_labels(fill_call, into):
         raise InputError("labels and into exclude each other: labels are of one mesh")
 
 
+def check_ids_wanted(what, fill_call, into, thin):
+    if fill_call or into is not None:
+        raise InputError(f"{what} are those of triangles that overlap a cell; voxelize with {what}, but without fill and into")
+    if thin:
+        raise InputError(f"{what} are those of all triangles that overlap a cell; leave out thin")
+
+
+def colors_wanted(triangles, colors, count):
+    """Of each triangle."""
+    if colors is True:
+        colors = getattr(triangles, "face_colors", None)
+        if colors is None:
+            colors = getattr(getattr(triangles, "visual", None), "face_colors", None)
+        if colors is None:
+            raise InputError("colors = True, and triangles has no face_colors; give an array of uint8 of shape (n, 3), red, green "
+                             "and blue of each triangle")
+    return colors_of(colors, count, "triangle")
+
+
 def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: Optional[Cell] = None,
              resolution: Optional[SupportsIndex] = None, window: Optional[Window] = None, layers: Optional[Range] = None,
              thin: bool = False, fill: Optional[Fill] = None, labels: bool = False, threads: Optional[SupportsIndex] = 1,
              accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None, into: Optional[Voxels] = None,
-             ids: bool = False) -> Voxels:
+             ids: bool = False, colors: Union[bool, ArrayLike, None] = None) -> Voxels:
     """Marks the cells of a grid that some triangle overlaps, only the surface: returns Voxels, a boolean array with its grid.
 
         voxelize(mesh, cell=0.05)        a grid around the mesh, of cells of that length; cell=(x, y, z) if they are no cubes
@@ -168,6 +188,8 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
     ids: True for Voxels whose ids say which triangle is in a cell: for each set cell the lowest number of one that overlaps it, in
         the order of cells(). A look-up turns them into colours, materials, parts: face_colors[voxels.ids]. Only for the surface,
         without fill and into. It takes two to three times as long, and four bytes a cell for some layers at a time.
+    colors: of the triangles, uint8 of shape (n, 3), for Voxels whose colors are, cell by cell, those of the triangle whose id it
+        would be; True for those of the mesh: face_colors of tribox.read, or visual.face_colors of trimesh. In place of ids.
     accuracy, axes, kernel: as for overlap.
 
     Raises errors as overlap does; also for a grid in which two planes round to the same double, and for one that needs over 16 GiB.
@@ -176,10 +198,12 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
     chosen = grid_given(held_, grid, cell, resolution)
     if fill_call and (window is not None or layers is not None):
         raise InputError("fill needs the whole grid: what is outside a part of it may be inside the whole")
-    if ids and (fill_call or into is not None):
-        raise InputError("ids are those of triangles that overlap a cell; voxelize with ids, but without fill and into")
-    if ids and thin:
-        raise InputError("ids are those of all triangles that overlap a cell; leave out thin")
+    of_triangles = None if colors is None or colors is False else colors_wanted(triangles, colors, len(held_))
+    if ids and of_triangles is not None:
+        raise InputError("ids and colors exclude each other; voxelize with ids, and give voxels.with_colors(colors[voxels.ids])")
+    wanted_of_cells = "colors" if of_triangles is not None else "ids" if ids else None
+    if wanted_of_cells:
+        check_ids_wanted(wanted_of_cells, fill_call, into, thin)
     if thin:
         check_thin(options, fill_call)
     if labels:
@@ -190,10 +214,11 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
     words, are_clear = new_cells(wanted[1][::-1], chosen) if into is None or fill_call else (into._words, True)
     struct = struct_of(chosen)
     task = Task(held_, struct, wanted[0], wanted[1], options, words, are_clear, _c.voxelize_thin if thin else _c.voxelize)
-    if ids:
+    if wanted_of_cells:
         check_ids(held_)
         found = window_ids(task, threads)
-        return Voxels(words, chosen, wanted)._with_ids(found)
+        voxels = Voxels(words, chosen, wanted)
+        return voxels._with_ids(found) if of_triangles is None else voxels.with_colors(of_triangles[found])
     if fill_call is not fill_middles:
         check_answer(held_, task.run(threads))
     elif not are_clear:

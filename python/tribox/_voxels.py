@@ -8,12 +8,12 @@ from typing import Any, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import wholes
+from ._arguments import array_of, wholes
 from ._errors import InputError, InputTypeError, shown
 from ._ffi import ffi
-from ._files import ending_of_input, load_dense, save_voxels
+from ._files import ending_of_input, load_binvox, load_dense, save_voxels
 from ._grids import SIZE_MAX, Grid
 from ._library import lib
 from ._masks import BOOL, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
@@ -81,6 +81,7 @@ class Voxels(NDArrayOperatorsMixin, metaclass=WithoutOperators):
         self._words = np.ascontiguousarray(cells) if cells.dtype == WORD else rows_of_words(cells)
         self._cells: Optional[NDArray[np.bool_]] = None
         self._ids: Optional[NDArray[np.uint32]] = None
+        self._colors: Optional[NDArray[np.uint8]] = None
         self._inside: Optional[NDArray[np.uint64]] = None
 
     @property
@@ -106,6 +107,23 @@ class Voxels(NDArrayOperatorsMixin, metaclass=WithoutOperators):
         if self._ids is None:
             raise InputError("these Voxels have no ids; voxelize(..., ids=True) makes some that have")
         return self._ids
+
+    @property
+    def colors(self) -> NDArray[np.uint8]:
+        """Red, green and blue of each set cell, uint8 of shape (m, 3), in the order of cells(). Without them an InputError."""
+        if self._colors is None:
+            raise InputError("these Voxels have no colors; voxelize(..., colors=...) or with_colors() makes some that have")
+        return self._colors
+
+    def with_colors(self, colors: ArrayLike) -> Voxels:
+        """The same cells with these colors, for files that hold them; ids and labels, whose place they take, are left out.
+
+        colors: uint8 of shape (m, 3), in the order of cells(): such as face_colors[voxels.ids], or those of a texture at
+            voxels.points(). A fourth column, alpha, is left out.
+        """
+        voxels = Voxels(self._words, self._grid, self._window)
+        voxels._colors = fixed(colors_of(colors, self.sum(), "cell"))
+        return voxels
 
     @property
     def inside(self) -> Optional[Voxels]:
@@ -199,22 +217,23 @@ class Voxels(NDArrayOperatorsMixin, metaclass=WithoutOperators):
         cells = np.asarray(self)
         size = [e - f for f, e in zip(first, end)]
         part = Voxels(cells[key], self._grid, ([f + s for f, s in zip(self._window[0], first[::-1])], size[::-1]))
-        if self._ids is not None:
+        if self._ids is not None or self._colors is not None:
             is_in = np.zeros(self.shape, bool)
             is_in[key] = True
-            part._with_ids(self._ids[is_in[cells]])
+            is_in = is_in[cells]
+            part._ids = None if self._ids is None else fixed(self._ids[is_in])
+            part._colors = None if self._colors is None else fixed(self._colors[is_in])
         return part if self._inside is None else part._with_inside(rows_of_words(bools(self._inside, self.shape[2])[key]))
 
     def _add(self, words):
         """Adds cells, which may be these very words."""
         if words is not self._words:
             np.bitwise_or(self._words, words, out=self._words)
-        self._cells = self._ids = self._inside = None
+        self._cells = self._ids = self._inside = self._colors = None
         return self
 
     def _with_ids(self, ids):
-        ids.flags.writeable = False
-        self._ids = ids
+        self._ids = fixed(ids)
         return self
 
     def _with_inside(self, words):
@@ -222,7 +241,7 @@ class Voxels(NDArrayOperatorsMixin, metaclass=WithoutOperators):
         return self
 
     def __reduce__(self) -> Any:
-        more = {name: value for name, value in (("_ids", self._ids), ("_inside", self._inside)) if value is not None}
+        more = {name: value for name, value in vars(self).items() if name in ("_ids", "_inside", "_colors") and value is not None}
         return (Voxels, (self._words, self._grid, self._window), *([more] if more else []))
 
     def sum(self, axis: Any = None, **keywords: Any) -> Any:
@@ -246,35 +265,58 @@ class Voxels(NDArrayOperatorsMixin, metaclass=WithoutOperators):
         return middles(self.grid, self.cells())
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes a file by the ending of its name, of kind .npz, .npy, .nrrd or .vti, as the program tribox does.
+        """Writes a file by the ending of its name, of every format of the program tribox, with what that holds.
 
-        .npz: the grid and the bricks that are not empty: numpy.load(path) has at, bits, origin, cell, size and shift. .npy: an
-        array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for ParaView. Cells of a window can only be .npy. Labels are
-        the array inside, with the bits of the cells inside, in .npz, and uint8 in the others. Ids are the array ids in .npz, and in
-        the others int32 of all cells, -1 where none is set.
+        .npz: the grid and the bricks that are not empty: numpy.load(path) has at, bits, origin, cell, size and shift, and ids,
+        inside (the bits of the cells inside) or colours. .npy: an array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for
+        ParaView. These four have labels as uint8 and ids as int32 of all cells, -1 where none is set, but for .npz.
 
-        Raises InputError for other kinds, and OSError if the file cannot be written: what had the name before is then still there.
+        .vdb (OpenVDB; ids, labels, colors), .vox (MagicaVoxel; labels, colors of a palette), .ply, .obj and .glb (faces; colors),
+        .binvox (cubes) and .raw (bits; ids, labels) are written by the program tribox, which is found on PATH, or where the
+        environment variable TRIBOX_PROGRAM says. Cells of a window can only be .npy.
+
+        Raises InputError for other kinds, for one that does not hold the ids, labels or colors that there are, and for a grid that
+        the format cannot hold; OSError if the file cannot be written; Error without the program. What had the name before is
+        then still there.
         """
         save_voxels(self, os.fspath(path))
 
     @staticmethod
     def load(path: Union[str, "os.PathLike[str]"]) -> Voxels:
-        """Reads a file that save() or the program tribox wrote: .npz, .nrrd or .vti, with its grid, labels and ids.
+        """Reads a file that save() or the program tribox wrote: .npz, .nrrd, .vti or .binvox, with its grid and all that it holds.
 
         A .nrrd says where the middle of the first cell is, so the origin of its grid may be off by the rounding of that. A .npy
-        has no grid: Voxels(numpy.load(path), grid).
+        has no grid: Voxels(numpy.load(path), grid). A .binvox is of a cube, up to which the grid was filled.
 
         Raises InputError for other files, for damaged ones, and for a part of a whole.
         """
         from ._bricks import Bricks  # which is made of Voxels
 
-        if ending_of_input(path) == ".npz":
+        ending = ending_of_input(path)
+        if ending == ".npz":
             return Bricks.load(path).voxels()
+        if ending == ".binvox":
+            return Voxels(*load_binvox(os.fspath(path)))
         cells, grid, is_labels = load_dense(os.fspath(path))
         if cells.dtype.kind == "i":
             return Voxels(cells >= 0, grid)._with_ids(cells[cells >= 0].astype(np.uint32))
         voxels = Voxels(cells != 0, grid)
         return voxels._with_inside(rows_of_words(cells == 2)) if is_labels else voxels
+
+
+def fixed(array):
+    """Read-only from now on."""
+    array.flags.writeable = False
+    return array
+
+
+def colors_of(colors, count, what):
+    """A copy of so many colours, a row of three bytes each. what: has them."""
+    array = array_of("colors", colors)
+    if array.dtype != np.uint8 or array.ndim != 2 or array.shape[1] not in (3, 4) or len(array) != count:
+        raise InputError(f"colors is an array of {array.dtype} of shape {array.shape}; give uint8 of shape ({count}, 3), red, "
+                         f"green and blue of each {what}")
+    return np.array(array[:, :3], order="C")
 
 
 def middles(grid, cells):

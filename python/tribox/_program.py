@@ -1,0 +1,77 @@
+"""The program tribox: it reads files of meshes, and writes the formats of cells that are not written here."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import warnings
+from typing import Union
+
+import numpy as np
+
+from ._errors import Error, InputError, shown
+from ._triangles import Mesh
+
+
+def program(what):
+    """Its path. what: it is needed for."""
+    path = os.environ.get("TRIBOX_PROGRAM") or shutil.which("tribox")
+    if not path:
+        raise Error(f"{what} takes the program tribox, which is not on PATH and not in the wheel: install it, as BUILD.md says, or "
+                    "set the environment variable TRIBOX_PROGRAM to where it is")
+    return path
+
+
+def run(what, *arguments, stacklevel, **how):
+    """Runs it to its end. Its failure becomes an InputError, and what it warns of warnings of the caller's."""
+    path = program(what)
+    try:
+        done = subprocess.run([path, *arguments], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False, **how)
+    except OSError as error:
+        raise Error(f"{what} takes the program tribox, and {path} does not run: {error}") from error
+    lines = done.stderr.decode("utf-8", "backslashreplace").splitlines()
+    said = [re.sub(rf"^tribox {arguments[0]}: (warning: |note: )?", "", line) for line in lines]
+    if done.returncode == 2:
+        raise Error(f"{what} takes a program tribox of this version, and {path} is of another: {'; '.join(said)}")
+    if done.returncode:
+        raise InputError("; ".join(said) or f"{path} ended with {done.returncode}")
+    for line in said:
+        warnings.warn(line, stacklevel=stacklevel)
+
+
+def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
+    """Reads a file of a mesh as the program tribox does: PLY, OBJ, STL, OFF, raw triangles, and by libassimp glTF and others.
+
+    Returns a Mesh, which every call takes: vertices are float32, or float64 where these do not hold the numbers of the file, each
+    place once; faces are triangles, into which polygons are cut. mesh.face_colors are the colours of the faces, uint8 of shape
+    (n, 3), those of PLY, OFF, materials and corners; None if the file has none.
+
+    It takes the program, which is found on PATH, or where the environment variable TRIBOX_PROGRAM says.
+
+    Raises InputError for what is no mesh, OSError for a file that is not there, and Error without the program. What the program
+    warns of, such as triangles with a NaN, are warnings.
+    """
+    if not isinstance(path, (str, os.PathLike)):
+        raise InputError(f"path = {shown(path)}; give the path of a mesh file")
+    with open(path, "rb"):  # or the reason why not
+        pass
+    with tempfile.TemporaryDirectory(prefix="tribox-") as folder:
+        out = os.path.join(folder, "mesh.npz")
+        run("tribox.read", "info", "--quiet", "--out", out, "--", os.path.join(".", path), stacklevel=3)
+        with np.load(out, allow_pickle=False) as arrays:
+            mesh = Mesh(arrays["vertices"], arrays["faces"])
+            mesh._face_colors = arrays["colours"] if "colours" in arrays.files else None
+    return mesh
+
+
+def write_by_program(file, write_npz, ending):
+    """Writes a format of the program's to an open file. write_npz: writes the same cells to one of bricks."""
+    with tempfile.TemporaryDirectory(prefix="tribox-") as folder:
+        path = os.path.join(folder, "cells.npz")
+        with open(path, "xb") as cells:
+            write_npz(cells)
+        file.flush()
+        run(f"a file that ends in {ending}", "merge", path, "--out-format", ending[1:], "--out", "-", stdout=file, stacklevel=6)
