@@ -61,7 +61,7 @@ class Bricks:
         return Bricks(*load_bricks(path))
 
     def voxels(self) -> Voxels:
-        """All cells of the grid, also the clear ones, as Voxels with ids, labels or colors. InputError for a part and over 16 GiB."""
+        """All cells of the grid, also the clear ones, as Voxels with ids, labels or colors. InputError for a part, or 16 GiB."""
         if self.shard:
             raise InputError(f"these Bricks are shard {self.shard[0]} of {self.shard[1]}; tribox merge makes one file of all")
         shape = self.grid.size[::-1]

@@ -167,8 +167,10 @@ def save_bricks(bricks, path):
 
 def write_as(path, ending, writers, cells):
     """By one of these writers, else by the program."""
-    write = writers.get(ending) or (lambda file, what: write_by_program(file, lambda npz: writers[".npz"](npz, what), ending))
-    write_new(path, write, cells)
+    def by_program(file, what):
+        write_by_program(file, lambda npz: writers[".npz"](npz, what), path, ending)
+
+    write_new(path, writers.get(ending, by_program), cells)
 
 
 KINDS = dict(at=("<u4", (-1, 3)), bits=("<u8", (-1, 8)), inside=("<u8", (-1, 8)), origin=("<f8", (3,)), cell=("<f8", (3,)),
@@ -209,8 +211,8 @@ def ending_of_input(path):
     if ending == ".npy":
         raise InputError(f"path = {shown(path)}; a .npy has no grid: tribox.Voxels(numpy.load(path), grid) makes Voxels of it")
     if ending not in (".npz", ".binvox", *HEADS):
-        raise InputError(f"path = {shown(path)}; files are read whose names end in .npz, {', '.join(HEADS)}, .binvox; others do not "
-                         "say where their cells are, or hold faces")
+        raise InputError(f"path = {shown(path)}; files are read whose names end in .npz, {', '.join(HEADS)}, .binvox; others do "
+                         "not say where their cells are, or hold faces")
     return ending
 
 

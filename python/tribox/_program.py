@@ -25,15 +25,21 @@ def program(what):
     return path
 
 
-def run(what, *arguments, stacklevel, **how):
-    """Runs it to its end. Its failure becomes an InputError, and what it warns of warnings of the caller's."""
+def run(what, *arguments, shown_as=None, stacklevel):
+    """Runs it to its end. Its failure becomes an InputError, and what it warns of warnings of the caller's.
+
+    shown_as: a name in what it says, and another to be said in place of that.
+    """
     path = program(what)
     try:
-        done = subprocess.run([path, *arguments], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False, **how)
+        done = subprocess.run([path, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              check=False)
     except OSError as error:
         raise Error(f"{what} takes the program tribox, and {path} does not run: {error}") from error
     lines = done.stderr.decode("utf-8", "backslashreplace").splitlines()
     said = [re.sub(rf"^tribox {arguments[0]}: (warning: |note: )?", "", line) for line in lines]
+    if shown_as:
+        said = [line.replace(*shown_as) for line in said]
     if done.returncode == 2:
         raise Error(f"{what} takes a program tribox of this version, and {path} is of another: {'; '.join(said)}")
     if done.returncode:
@@ -67,11 +73,12 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
     return mesh
 
 
-def write_by_program(file, write_npz, ending):
-    """Writes a format of the program's to an open file. write_npz: writes the same cells to one of bricks."""
+def write_by_program(file, write_npz, path, ending):
+    """Writes a format of the program's in place of an open file. write_npz: writes the same cells to one of bricks."""
     with tempfile.TemporaryDirectory(prefix="tribox-") as folder:
-        path = os.path.join(folder, "cells.npz")
-        with open(path, "xb") as cells:
-            write_npz(cells)
-        file.flush()
-        run(f"a file that ends in {ending}", "merge", path, "--out-format", ending[1:], "--out", "-", stdout=file, stacklevel=6)
+        cells = os.path.join(folder, "cells.npz")
+        with open(cells, "xb") as npz:
+            write_npz(npz)
+        file.close()
+        run(f"a file that ends in {ending}", "merge", cells, "--quiet", "--out-format", ending[1:], "--out", file.name,
+            shown_as=(file.name, path), stacklevel=6)

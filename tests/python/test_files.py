@@ -1,19 +1,29 @@
-"""Voxels.save and Bricks.save: files as the program writes them, whose planes are those that were asked about."""
+"""Files of cells as the program writes them, whose planes are those that were asked about; and meshes as the program reads them."""
 
+import contextlib
+import json
 import os
+import pickle
 import re
 import resource
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 from unittest import mock
 
 import numpy as np
 import tribox
 
 import cases
+from cases import meshes
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tools"))
+import readers  # noqa: E402
+
+NEEDS_PROGRAM = unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
 GRIDS = {"tenths": ((-2.1, -1.5, 1e-6), (0.3, 1 / 3, 0.7), (13, 9, 11)), "one": ((-2, -2, -2), 4, (1, 1, 1)),
          "far": ((557820.1, 5108010, -1e9), (0.1, 1e-5, 2e9), (70, 3, 2))}
 
@@ -90,7 +100,7 @@ class Files(cases.TestCase):
             self.assert_same(np.frombuffer(rest, np.uint8, length, 8).reshape(voxels.shape).astype(bool), np.array(voxels))
             self.assertEqual(rest[8 + int(length):], b"\n  </AppendedData>\n</VTKFile>\n")
 
-    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    @NEEDS_PROGRAM
     def test_like_the_program(self):
         """Byte by byte, but for .npz, whose arrays are the same, in an order of their own."""
         triangles = cases.lattice(40).astype(float) * (0.1, 1e-6, 3e9)
@@ -121,12 +131,151 @@ class Files(cases.TestCase):
                                   for file, order in zip((one, other), orders)]
                         self.assert_same(*arrays, name)
 
+    def program(self, *words):
+        return subprocess.run([os.environ["TRIBOX_PROGRAM"], *map(str, words)], capture_output=True, timeout=120, check=True).stdout
+
+    def coloured(self):
+        """A file of a mesh, its triangles, and a colour of each."""
+        triangles, path = cases.lattice(60), Path(self.folder, "coloured.off")
+        colors = self.pick.integers(0, 256, (60, 3)).astype(np.uint8)
+        lines = ["OFF", "180 60 0", *(" ".join(map(repr, p)) for p in triangles.reshape(-1, 3).tolist()),
+                 *(" ".join(map(str, (3, 3 * n, 3 * n + 1, 3 * n + 2, *c))) for n, c in enumerate(colors.tolist()))]
+        path.write_text("\n".join(lines))
+        return path, triangles, colors
+
+    @NEEDS_PROGRAM
+    def test_every_format(self):
+        """Of Voxels and Bricks what the program writes of the same mesh, byte by byte; what a format does not hold is refused."""
+        formats = {each["ending"]: each for each in reversed(json.loads(self.program("info", "--json"))["formats"])}
+        path, triangles, colors = self.coloured()
+        for what, options, way in (("", (), {}), ("ids", ("--ids",), dict(ids=True)),
+                                   ("colors", ("--colours",), dict(colors=colors)),
+                                   ("labels", ("--fill", "outside", "--labels"), dict(fill="outside", labels=True))):
+            voxels = tribox.voxelize(triangles, cell=0.1, **way)
+            bricks = tribox.Bricks.load(self.saved(voxels, ".npz"))
+            for ending, about in formats.items():
+                ours = rf"path = .*; \{ending} holds no {what}; give a name that ends in .npz, .*, or save tribox.Voxels"
+                if what.replace("or", "our") not in about["holds"]:
+                    for thing in (voxels, bricks):
+                        self.refuse(tribox.InputError, None, ours, thing.save, Path(self.folder, "x" + ending))
+                    continue
+                whole = Path(self.folder, "program" + ending)
+                if subprocess.run([os.environ["TRIBOX_PROGRAM"], "voxelize", path, "--cell", "0.1", *options, "-q", "-o", whole],
+                                  capture_output=True, timeout=120).returncode and ending == ".vdb":
+                    continue  # built without OpenVDB
+                for thing in (voxels, bricks) if ending != ".npz" else ():
+                    written = self.saved(thing, ending).read_bytes(), whole.read_bytes()
+                    self.assertEqual(*map(readers.without_vdb_id, written) if ending == ".vdb" else written, (ending, what))
+
+    @NEEDS_PROGRAM
+    def test_colors(self):
+        """The colour of a cell is that of its lowest triangle, from the mesh to the file and back."""
+        path, triangles, colors = self.coloured()
+        ids = tribox.voxelize(triangles, cell=0.1, ids=True)
+        mesh, like = tribox.read(path), SimpleNamespace(vertices=triangles.reshape(-1, 3), faces=np.arange(180).reshape(-1, 3))
+        like.visual = SimpleNamespace(face_colors=np.insert(colors, 3, 255, 1))
+        self.assert_same(mesh.face_colors, colors)
+        for voxels in (ids.with_colors(colors[ids.ids]), *(tribox.voxelize(one, ids.grid, colors=True) for one in (mesh, like)),
+                       tribox.voxelize(triangles, ids.grid, colors=colors, threads=2)):
+            again = tribox.Voxels.load(self.saved(voxels, ".npz"))
+            for one in (voxels, again, pickle.loads(pickle.dumps(voxels))):
+                self.assert_same(one.colors, colors[ids.ids])
+            self.assert_same(voxels[2:9, :, 3:].colors, colors[ids[2:9, :, 3:].ids])
+            self.refuse(tribox.InputError, None, "^these Voxels have no ids", getattr, voxels, "ids")
+            self.assertFalse(voxels.colors.flags.writeable)
+        program = Path(self.folder, "program.npz")
+        self.program("voxelize", path, "--cell", "0.1", "--colours", "-o", program)
+        self.assert_same(tribox.Voxels.load(program).colors, colors[ids.ids])
+        refuse, wrong = self.refuse, tribox.InputError
+        refuse(wrong, None, "^these Voxels have no colors; voxelize", getattr, ids, "colors")
+        refuse(wrong, None, r"of each cell$", ids.with_colors, colors)
+        for odd in (colors[1:], colors.astype(int), colors[:, :2], [1, 2]):
+            refuse(wrong, None, r"^colors is .* give uint8 of shape \(60, 3\), .* of each triangle$", tribox.voxelize, triangles,
+                   cell=1, colors=odd)
+        refuse(wrong, None, "^colors = True, and triangles has no", tribox.voxelize, triangles, cell=1, colors=True)
+        refuse(wrong, None, "^ids and colors exclude", tribox.voxelize, triangles, cell=1, colors=colors, ids=True)
+        refuse(wrong, None, "^colors are .*without fill", tribox.voxelize, triangles, cell=1, colors=colors, fill="outside")
+        refuse(wrong, None, "^colors are .*leave out thin", tribox.voxelize, triangles, cell=1, colors=colors, thin=True)
+
+    @NEEDS_PROGRAM
+    def test_read(self):
+        """Meshes of every format, of floats and doubles, are the same triangles, for every call."""
+        floats = cases.lattice(30)
+        doubles = floats.astype(float) + 0.1
+        for triangles, formats in (floats, meshes.FORMATS), (doubles, meshes.FORMATS_OF_DOUBLES):
+            for name, write in formats.items():
+                path = Path(self.folder, "-" + name)
+                content = write(triangles.tolist())
+                path.write_bytes(content if isinstance(content, bytes) else content.encode())
+                try:
+                    mesh = tribox.read(path)
+                except tribox.InputError as error:
+                    self.assertIn("built without libassimp", str(error))
+                    continue
+                self.assert_same(mesh.vertices[mesh.faces], triangles, name)
+                self.assertIsNone(mesh.face_colors)
+                self.assert_same(*(np.array(tribox.voxelize(one, GRIDS["tenths"])) for one in (mesh, triangles)))
+                self.assert_same(tribox.overlap(mesh, cases.LO, cases.HI), tribox.overlap(triangles, cases.LO, cases.HI))
+        with contextlib.chdir(self.folder) if hasattr(contextlib, "chdir") else contextlib.nullcontext():
+            self.assertEqual(len(tribox.read("-little.ply" if hasattr(contextlib, "chdir") else path)), 30)
+
+    @NEEDS_PROGRAM
+    def test_not_read(self):
+        """The program's line is the error, its warnings are warnings; and what to do without it."""
+        folder, refuse = Path(self.folder), self.refuse
+        broken, holed, other = folder / "broken.ply", folder / "holed.off", folder / "program"
+        broken.write_bytes(b"ply\nformat ascii 1.0\nend_header\n")
+        holed.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n3 0 1 1\n")
+        other.write_text("#!/bin/sh\necho \"tribox $1: unexpected 'x'\" >&2; exit 2\n")
+        with self.assertWarnsRegex(UserWarning, "^.*holed.off: 1 of 2 triangles have NaN") as warned:
+            self.assertEqual(len(tribox.read(holed)), 2)
+        self.assertEqual(warned.filename, __file__)
+        refuse(tribox.InputError, None, "^[^:]*broken.ply: contains no triangles", tribox.read, broken)
+        self.assertRaises(FileNotFoundError, tribox.read, folder / "none.ply")
+        self.assertRaises(IsADirectoryError, tribox.read, folder)
+        for path in (3, None, b"x.ply", ["x.ply"]):
+            refuse(tribox.InputError, None, "^path = .*; give the path of a mesh file", tribox.read, path)
+        voxels, out = next(self.voxels()), folder / "x.vox"
+        calls = (tribox.read, holed), (voxels.save, out)
+        for path, pattern in (("", "takes the program tribox, which is not on PATH .* TRIBOX_PROGRAM"),
+                              (str(folder / "none"), "none does not run: "), (str(holed), "does not run: "),
+                              (str(other), "of this version, and .*program is of another: unexpected 'x'")):
+            other.chmod(0o700)
+            with mock.patch.dict(os.environ, TRIBOX_PROGRAM=path, PATH=self.folder):
+                for call, argument in calls:
+                    refuse(tribox.Error, None, pattern, call, argument)
+        with mock.patch.dict(os.environ, TRIBOX_PROGRAM="", PATH=os.path.dirname(os.environ["TRIBOX_PROGRAM"])):
+            voxels.save(out)
+        narrow = tribox.Voxels(np.ones((1, 1, 300), bool), tribox.Grid((0, 0, 0), (1, 2, 3), (300, 1, 1)))
+        content = out.read_bytes()
+        refuse(tribox.InputError, None, "^.*x.vox: .*256", narrow.save, out)
+        refuse(tribox.InputError, None, "^.*x.binvox: .*cubic", narrow.save, folder / "x.binvox")
+        self.assertEqual((sorted(os.listdir(folder)), out.read_bytes()), (["broken.ply", "holed.off", "program", "x.vox"], content))
+        shard = tribox.Bricks(*self.bricks(voxels), voxels.grid, shard=(2, 5))
+        refuse(tribox.InputError, None, "shard 2 of 5; tribox merge", shard.save, out)
+
+    @NEEDS_PROGRAM
+    def test_binvox(self):
+        """A grid of cubes, filled up to a cube."""
+        for cells in (self.pick.random((4, 5, 9)) < 0.4, np.zeros((1, 1, 1), bool), np.ones((9, 9, 9), bool)):
+            voxels = tribox.Voxels(cells, tribox.Grid((-2.1, 1, 1e6), 0.5, cells.shape[::-1]))
+            path = self.saved(voxels, ".binvox")
+            again, side = tribox.Voxels.load(path), max(cells.shape)
+            self.assertEqual(again.grid, tribox.Grid(voxels.grid.origin, 0.5, (side,) * 3))
+            self.assert_same(again.cells(), voxels.cells())
+            octets = path.read_bytes()
+            for content in (octets[:-2], octets[:-1], octets[:9], b"", octets.replace(b"dim", b"din"), octets + b"\1\1"):
+                path.write_bytes(content)
+                self.refuse(tribox.InputError, None, f"{path.name}: not a file of cells", tribox.Voxels.load, path)
+
     def test_whole_or_as_it_was(self):
         """Where a write fails, or the user ends it, what had the name is still there and nothing else; links stay links."""
         old, hard = Path(self.folder, "old"), resource.getrlimit(resource.RLIMIT_FSIZE)[1]
         mesh = cases.lattice(40)
         voxels, bricks = tribox.voxelize(mesh, resolution=40, ids=True), tribox.bricks(mesh, resolution=40)
-        for thing, ending in ((voxels, ".npz"), (voxels, ".npy"), (voxels, ".nrrd"), (voxels, ".vti"), (bricks, ".npz")):
+        plain = tribox.Voxels(voxels.words, voxels.grid)
+        for thing, ending in ((voxels, ".npz"), (voxels, ".npy"), (voxels, ".nrrd"), (voxels, ".vti"), (bricks, ".npz"),
+                              *[(plain, ".glb"), (bricks, ".obj")] * ("TRIBOX_PROGRAM" in os.environ)):
             path = Path(self.folder, "x" + ending)
             old.write_bytes(b"what was there")
             path.symlink_to(old)
@@ -142,7 +291,7 @@ class Files(cases.TestCase):
             self.assertTrue(path.is_symlink() and old.stat().st_size > 5000)
             path.unlink()
 
-    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    @NEEDS_PROGRAM
     def test_load(self):
         """A part and a shifted whole, of the program's and saved again; none that is damaged."""
         mesh, part, whole = Path(self.folder, "m.f32"), Path(self.folder, "part.npz"), Path(self.folder, "whole.npz")
@@ -244,10 +393,9 @@ class Files(cases.TestCase):
     def test_refused(self):
         voxels, refuse = next(self.voxels()), self.refuse
         bricks = tribox.bricks(cases.lattice(9), GRIDS["tenths"])
-        for path in ("x.vdb", "x", "x.npz.gz", ".npz", "x.xyz", Path("x.binvox")):
-            refuse(tribox.InputError, None, r"^path = .*end in \.npz, \.npy, \.nrrd, \.vti; .* tribox voxelize MESH -o FILE",
-                   voxels.save, path)
-            refuse(tribox.InputError, None, r"^path = .*end in \.npz;", bricks.save, path)
+        for path in ("x", "x.npz.gz", ".npz", "x.xyz", Path("x.f32")):
+            for thing in (voxels, bricks):
+                refuse(tribox.InputError, None, r"^path = .*end in \.npz, \.npy, .*\.vdb, \.vox, .*\.glb", thing.save, path)
         far = tribox.voxelize(cases.lattice(9), GRIDS["tenths"], ids=True)
         far._with_ids(far.ids + np.uint32(1 << 31))
         refuse(tribox.InputError, None, "^ids up to 21474836.* do not fit int32", far.save, os.path.join(self.folder, "x.npy"))

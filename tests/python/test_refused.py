@@ -86,7 +86,7 @@ def wrong_boxes():
     for call in (tribox.classify, tribox.split):
         yield InputError, None, "overlap, find and crop take an OrientedBox", call, [TRIANGLES, box], {}
     of_vtk, scene = SimpleNamespace(GetPolys=None), SimpleNamespace(geometry={}, graph=None)
-    for odd, pattern in (("cube.ply", r"str; give meshio.read\(path\)"), (os, "give real numbers"), (of_vtk, "pyvista.wrap"),
+    for odd, pattern in (("cube.ply", r"str; give tribox.read\(path\)"), (os, "give real numbers"), (of_vtk, "pyvista.wrap"),
                          (scene, r"scene.to_mesh\(\)"), ([tribox.Mesh(VERTICES, FACES)] * 2, "list; give one of them a call")):
         yield InputTypeError, None, f"^triangles is .*{pattern}", overlap, [odd, LO, HI], {}
     split = [TRIANGLES, LO, HI]

@@ -68,7 +68,7 @@ lowest: NDArray[np.uint32] = by_cell.triangles[by_cell.start[:-1]]
 middles: NDArray[np.float64] = by_cell.points()
 origin: Three = tribox.Grid(lo, 0.5, [1, 2, 3]).origin
 grid: tribox.Grid = tribox.grid_around(triangles, cell=0.5)
-voxels.save("voxels.npz")
+voxels.with_colors(tribox.voxelize(tribox.read("mesh.ply"), cell=1, colors=True).colors).save("voxels.npz")
 shard: Optional[Tuple[int, int]] = tribox.Bricks.load("a.npz").shard
 index = tribox.Index(triangles, keep_order=True, threads=None)
 count: int = index.count(lo, hi) + len(index) + tribox.tile_count((8, 8, 8)) + index.count(box)
@@ -102,6 +102,8 @@ tribox.voxelize(triangles, cell=1, into=cells)  # wrong
 tribox.Index(triangles, axis_order=3)  # wrong
 tribox.Mesh(object())  # wrong
 voxels.save(3)  # wrong
+tribox.read(3)  # wrong
+tribox.voxelize(triangles, cell=1, colors=lambda: 3)  # wrong
 index.list(lo, hi).nothing()  # wrong
 tribox.cell_lists(triangles, resolution=64, fill="outside")  # wrong
 tribox.kernel_names()  # wrong
