@@ -1,0 +1,163 @@
+/* partition_make.c - lays a grid around meshes, sorts them into its tiles and writes these; or joins partitions. */
+#define _POSIX_C_SOURCE 200809L
+#include "partition_make.h"
+
+#include <string.h>
+
+#include "console/message.h"
+#include "console/system.h"
+#include "tile_sort.h"
+#include "voxelize/tile_set.h"
+#include "write/file_out.h"
+
+/* How many meshes there are does not matter to a message about all of them. */
+static const char *name_of(const partition_request *r) { return r->count == 1 ? triangle_file_name(r->paths[0]) : "the meshes"; }
+
+static uint64_t memory_of(const partition_request *r) { return r->memory ? r->memory : memory_available() / 2; }
+
+static void fill_header(partition_answer *a, uint32_t tile, unsigned position_bytes, const tally *found)
+{
+    partition_header *const h = &a->header;
+    *h = (partition_header){.magic = PARTITION_MAGIC,
+                            .byte_order = PARTITION_BYTE_ORDER,
+                            .tile = tile,
+                            .position_bytes = position_bytes,
+                            .number_bytes = a->r->has_ids ? sizeof(uint32_t) : 0,
+                            .record_bytes = sizeof(partition_tile),
+                            .triangles = found->triangles,
+                            .sums = found->sums,
+                            .not_finite = found->not_finite};
+    memcpy(h->origin, a->cells.grid.origin, sizeof h->origin);
+    memcpy(h->cell, a->cells.grid.cell, sizeof h->cell);
+    memcpy(h->shift, a->cells.shift, sizeof h->shift);
+    memcpy(h->size, a->cells.grid.size, sizeof h->size);
+}
+
+static int write_runs(partition_answer *a, const tile_runs *runs, folder_out *out)
+{
+    return tile_write(out, runs, a->r->threads, a->r->is_quiet, &a->header, &a->spilled);
+}
+
+static int refuse_none(const partition_request *r)
+{
+    return message_failure("%s: none of %s triangles has finite coordinates", name_of(r), r->count == 1 ? "its" : "their");
+}
+
+static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, uint32_t side, folder_out *out)
+{
+    tally found;
+    int code = tile_sort(runs, all, a->r->threads, a->r->is_quiet, out, &found);
+    if (code)
+        return code;
+    mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
+    if (found.not_finite == found.triangles)
+        return refuse_none(a->r);
+    fill_header(a, side, all->write_bytes, &found);
+    return write_runs(a, runs, out);
+}
+
+static int sort_pieces(partition_answer *a, const pieces *all, folder_out *out)
+{
+    const bool has_ids = a->r->has_ids;
+    const uint32_t side = tile_set_side(a->cells.grid.size, has_ids);
+    if (!side)
+        return tile_set_refuse_size(a->cells.grid.size);
+    tile_runs *const runs = tile_runs_make(&a->cells.grid, side, has_ids, all->blocks, memory_of(a->r));
+    if (!runs)
+        return EXIT_CODE_FAILURE;
+    const int code = sort_blocks(a, all, runs, side, out);
+    tile_runs_free(runs);
+    return code;
+}
+
+/* Reads all once, where that is needed to know the shift, whether floats hold what it leaves, or the grid. */
+static int survey(partition_answer *a, pieces *all)
+{
+    const grid_choice *const choice = &a->r->from.choice;
+    tally found = {.triangles = 0};
+    int code = EXIT_CODE_OK;
+    if (all->shift.is_auto) {
+        const double nothing[3] = {0, 0, 0};
+        memcpy(all->shift.by, nothing, sizeof nothing);
+        code = tile_sort_look(all, a->r->threads, a->r->is_quiet, &found);
+        if (!code)
+            mesh_shift_choose(&found.bounds, all->shift.by);
+    }
+    if (!code && (all->shift.is_wanted || !grid_is_fixed(choice)))
+        code = tile_sort_look(all, a->r->threads, a->r->is_quiet, &found);
+    if (code)
+        return code;
+    if (all->shift.is_wanted && found.fits_float)
+        all->write_bytes = sizeof(float);
+    memcpy(a->cells.shift, all->shift.by, sizeof a->cells.shift);
+    if (!grid_is_fixed(choice) && found.bounds.lo[0] > found.bounds.hi[0]) {
+        mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
+        return refuse_none(a->r);
+    }
+    return grid_choose_around(choice, name_of(a->r), &found.bounds, &a->cells.grid);
+}
+
+static int work_on_pieces(partition_answer *a, pieces *all)
+{
+    folder_out out;
+    pieces_divide(all, tile_sort_block(all, memory_of(a->r), a->r->threads));
+    int code = a->r->has_ids ? partition_check_numbers(name_of(a->r), all->triangles) : EXIT_CODE_OK;
+    if (!code)
+        code = survey(a, all);
+    if (!code)
+        code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES(a->r->has_ids));
+    if (code)
+        return code;
+    code = sort_pieces(a, all, &out);
+    if (!code)
+        code = folder_out_keep(&out);
+    folder_out_drop(&out);
+    return code;
+}
+
+static int work_on_meshes(partition_answer *a)
+{
+    pieces all;
+    int code = pieces_open(&all, a->r->paths, a->r->count, a->r->from.format, &a->r->from.shift, a->r->threads);
+    a->is_shifted = a->r->from.shift.is_wanted;
+    if (!code)
+        code = work_on_pieces(a, &all);
+    pieces_close(&all);
+    return code;
+}
+
+static int join(partition_answer *a, const partition *all, folder_out *out)
+{
+    const partition *const those = all->pieces ? all->pieces : all;
+    uint64_t before = 0;
+    tile_runs *const runs = tile_runs_make(&a->cells.grid, a->header.tile, a->header.number_bytes, a->r->count, memory_of(a->r));
+    if (!runs)
+        return EXIT_CODE_FAILURE;
+    for (size_t i = 0; i < a->r->count; i++) {
+        tile_runs_take(runs, i, &those[i], before);
+        before += those[i].header.triangles;
+    }
+    const int code = write_runs(a, runs, out);
+    tile_runs_free(runs);
+    return code ? code : folder_out_keep(out);
+}
+
+static int work_on_partitions(partition_answer *a)
+{
+    partition all;
+    folder_out out;
+    int code = partition_open_all(&all, a->r->paths, a->r->count);
+    if (code)
+        return code;
+    a->header = all.header;
+    a->cells = partition_voxels(&a->header);
+    a->is_shifted = voxels_are_shifted(&a->cells);
+    code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES(a->header.number_bytes));
+    if (!code)
+        code = join(a, &all, &out);
+    folder_out_drop(&out);
+    partition_close(&all);
+    return code;
+}
+
+int partition_make(partition_answer *a) { return partition_is_folder(a->r->paths[0]) ? work_on_partitions(a) : work_on_meshes(a); }

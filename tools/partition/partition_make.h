@@ -1,0 +1,31 @@
+/* partition_make.h - from meshes, or partitions of one grid, to the partition of them all. */
+#ifndef PARTITION_MAKE_H
+#define PARTITION_MAKE_H
+
+#include "partition.h"
+#include "voxelize/grid_options.h"
+
+typedef struct partition_request {
+    grid_request from;
+    const char *const *paths; /* meshes, or partitions of one grid; the first is that of `from` */
+    size_t count;
+    uint32_t threads;
+    uint64_t memory; /* bytes; 0: a share of what there is */
+    const char *out_path;
+    bool has_ids; /* triangles keep their numbers */
+    bool wants_json, is_quiet;
+} partition_request;
+
+typedef struct partition_answer {
+    const partition_request *r;
+    voxels cells;
+    bool is_shifted;
+    partition_header header;
+    uint64_t spilled; /* bytes that went through files beside it */
+    double seconds;
+} partition_answer;
+
+/* Writes the folder out_path, which must not be there yet. a: its request is set. Returns an exit_code. */
+int partition_make(partition_answer *a);
+
+#endif
