@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "console/message.h"
+#include "console/system.h"
 #include "files/files.h"
 #include "voxelize/tile_set.h"
 
@@ -33,6 +34,8 @@ voxels partition_voxels(const partition_header *header)
     memcpy(v.shift, header->shift, sizeof v.shift);
     return v;
 }
+
+bool partition_is_at_hand(const partition *p) { return !p->pieces && !p->streams[0]; }
 
 static size_t triangle_bytes(const partition *p) { return TRIANGLE_NUMBERS * p->header.position_bytes; }
 
@@ -95,11 +98,17 @@ static int refuse(const partition *p, const char *why)
     return message_failure("%s: damaged: %s; make the partition again", p->path, why);
 }
 
+static int name_file(const partition *p, const char *name, char path[PATH_BYTES])
+{
+    return snprintf(path, PATH_BYTES, "%s/%s", p->path, name) < PATH_BYTES ? EXIT_CODE_OK
+                                                                           : message_failure("%s: its name is too long", p->path);
+}
+
 static int map_file(const partition *p, const char *name, file_map *map)
 {
     char path[PATH_BYTES];
-    if (snprintf(path, sizeof path, "%s/%s", p->path, name) >= (int)sizeof path)
-        return message_failure("%s: its name is too long", p->path);
+    if (name_file(p, name, path))
+        return EXIT_CODE_FAILURE;
     switch (file_map_open(map, path)) {
     case FILE_MAP_OK:
         return EXIT_CODE_OK;
@@ -111,6 +120,27 @@ static int map_file(const partition *p, const char *name, file_map *map)
         break;
     }
     return message_failure("%s: cannot map %s in it", p->path, name);
+}
+
+static int open_file(partition *p, const char *name, bool is_read, file_map *map, FILE **stream)
+{
+    char path[PATH_BYTES];
+    file_about about;
+    if (!is_read)
+        return map_file(p, name, map);
+    if (name_file(p, name, path))
+        return EXIT_CODE_FAILURE;
+    *stream = named_file_open(path, "rb");
+    if (!*stream || !named_file_about_open(*stream, &about))
+        return message_failure("%s: cannot open %s in it: %s", p->path, name, strerror(errno));
+    map->size = (size_t)about.size;
+    return EXIT_CODE_OK;
+}
+
+/* Maps take addresses that a limit of the process may deny to what works on them. */
+static bool are_addresses_short(const partition *p)
+{
+    return p->header.places > memory_available() / 2 / (triangle_bytes(p) + p->header.number_bytes);
 }
 
 static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
@@ -169,22 +199,25 @@ static int check_records(const partition *p)
     return EXIT_CODE_OK;
 }
 
-int partition_open(partition *p, const char *path)
+static int open_one(partition *p, const char *path, bool may_read)
 {
     *p = (partition){.path = path};
     int code = map_file(p, "index", &p->index);
     if (!code)
         code = check_header(p);
+    const bool is_read = !code && may_read && are_addresses_short(p);
     if (!code)
-        code = map_file(p, "triangles", &p->triangles);
+        code = open_file(p, "triangles", is_read, &p->triangles, &p->streams[0]);
     if (!code && p->header.number_bytes)
-        code = map_file(p, "numbers", &p->numbers);
+        code = open_file(p, "numbers", is_read, &p->numbers, &p->streams[1]);
     if (!code)
         code = check_records(p);
     if (code)
         partition_close(p);
     return code;
 }
+
+int partition_open(partition *p, const char *path) { return open_one(p, path, false); }
 
 void partition_close(partition *p)
 {
@@ -198,6 +231,11 @@ void partition_close(partition *p)
     file_map_close(&p->index);
     file_map_close(&p->triangles);
     file_map_close(&p->numbers);
+    for (int i = 0; i < 2; i++) {
+        if (p->streams[i])
+            fclose(p->streams[i]);
+        p->streams[i] = NULL;
+    }
 }
 
 /* ---------------------------------------------------------------------------------------------------------------------- several */
@@ -302,16 +340,16 @@ static int join(partition *p)
     return EXIT_CODE_OK;
 }
 
-int partition_open_all(partition *p, const char *const *paths, size_t count)
+int partition_open_all(partition *p, const char *const *paths, size_t count, bool may_read)
 {
     if (count == 1)
-        return partition_open(p, paths[0]);
+        return open_one(p, paths[0], may_read);
     int code = EXIT_CODE_OK;
     *p = (partition){.path = paths[0], .pieces = calloc(count, sizeof *p->pieces)};
     if (!p->pieces)
         return message_failure("out of memory for %zu partitions", count);
     while (!code && p->piece_count < count) {
-        code = partition_open(&p->pieces[p->piece_count], paths[p->piece_count]);
+        code = open_one(&p->pieces[p->piece_count], paths[p->piece_count], may_read);
         p->piece_count += !code;
     }
     if (!code)
@@ -321,24 +359,57 @@ int partition_open_all(partition *p, const char *const *paths, size_t count)
     return code;
 }
 
+static bool read_at(FILE *stream, uint64_t at, size_t bytes, void *to)
+{
+    size_t got;
+    return named_file_read_at(stream, at, to, bytes, &got) && got == bytes;
+}
+
+/* Floats that are to become doubles are read into the end of their room. */
+static bool read_record(const partition *p, size_t r, unsigned bytes, unsigned char *to, uint32_t *numbers)
+{
+    const size_t count = partition_count(p, r), own = count * triangle_bytes(p), of_numbers = count * p->header.number_bytes;
+    const uint64_t first = p->tiles[r].first;
+    unsigned char *const end = to + count * TRIANGLE_NUMBERS * bytes - own;
+    if (!read_at(p->streams[0], first * triangle_bytes(p), own, end) ||
+        (of_numbers && !read_at(p->streams[1], first * p->header.number_bytes, of_numbers, numbers)))
+        return false;
+    const uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, end, own);
+    if (end != to)
+        partition_copy(to, bytes, end, p->header.position_bytes, count);
+    return sum + (of_numbers ? checksum_bytes(CHECKSUM_EMPTY, numbers, of_numbers) : 0) == p->tiles[r].checksum;
+}
+
+static bool copy_record(const partition *p, size_t r, unsigned bytes, unsigned char *to, uint32_t *numbers)
+{
+    if (p->streams[0])
+        return read_record(p, r, bytes, to, numbers);
+    if (!partition_is_sound(p, r))
+        return false;
+    partition_copy(to, bytes, partition_triangles(p, r), p->header.position_bytes, partition_count(p, r));
+    if (p->header.number_bytes)
+        memcpy(numbers, partition_numbers(p, r), partition_count(p, r) * sizeof *numbers);
+    return true;
+}
+
 bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers)
 {
     const unsigned bytes = p->header.position_bytes;
     unsigned char *at = to;
     uint64_t before = 0;
+    if (!p->pieces)
+        return copy_record(p, record, bytes, at, numbers);
     for (size_t i = 0; i < p->piece_count; before += p->pieces[i++].header.triangles) {
         const partition *const piece = &p->pieces[i];
         const size_t records = (size_t)piece->header.records, r = partition_find(piece->tiles, records, p->tiles[record].tile);
         if (r == records || piece->tiles[r].tile != p->tiles[record].tile)
             continue;
-        if (!partition_is_sound(piece, r))
-            return false;
         const size_t count = partition_count(piece, r);
-        const uint32_t *const own = partition_numbers(piece, r);
-        partition_copy(at, bytes, partition_triangles(piece, r), piece->header.position_bytes, count);
-        at += count * 9 * bytes;
-        for (size_t t = 0; numbers && t < count; t++)
-            *numbers++ = (uint32_t)(before + own[t]); /* they count on from piece to piece */
+        if (!copy_record(piece, r, bytes, at, numbers))
+            return false;
+        at += count * TRIANGLE_NUMBERS * bytes;
+        for (size_t t = 0; piece->header.number_bytes && t < count; t++)
+            *numbers++ += (uint32_t)before; /* they count on from piece to piece */
     }
     return true;
 }
@@ -354,7 +425,7 @@ static bool is_all_sound(const partition *p)
 int partition_refuse_triangles(const partition *p)
 {
     size_t i = 0;
-    while (i < p->piece_count && is_all_sound(&p->pieces[i]))
+    while (i < p->piece_count && (p->pieces[i].streams[0] || is_all_sound(&p->pieces[i])))
         i++;
     return message_failure("%s: damaged: the checksum of its triangles does not match; make the partition again",
                            i < p->piece_count ? p->pieces[i].path : p->path);

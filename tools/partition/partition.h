@@ -51,12 +51,13 @@ typedef struct partition_tile {
 #define PARTITION_MAGIC "tribox tiles 3\n"
 enum { PARTITION_BYTE_ORDER = 0x01020304 };
 
-/* One that is open, its files mapped; or several of one grid, taken as that of all their meshes. */
+/* One that is open, its files mapped or read; or several of one grid, taken as that of all their meshes. */
 typedef struct partition {
     const char *path; /* of the folder, or of the first */
     partition_header header;
     const partition_tile *tiles; /* header.records of them */
     file_map index, triangles, numbers;
+    FILE *streams[2];         /* of triangles and of numbers where these are read: their maps have a size alone */
     struct partition *pieces; /* NULL for one, whose files these are */
     size_t piece_count;
     partition_tile *own_tiles; /* of several, without checksums */
@@ -69,8 +70,14 @@ bool partition_is_folder(const char *path);
 int partition_open(partition *p, const char *path);
 void partition_close(partition *p);
 
-/* Opens several as one: their grids, shifts and tiles have to be the same. Returns an exit_code; on success close it. */
-int partition_open_all(partition *p, const char *const *paths, size_t count);
+/*
+ * Opens several as one: their grids, shifts and tiles have to be the same. may_read: triangles for which there are hardly addresses
+ * are left to partition_gather. Returns an exit_code; on success close it.
+ */
+int partition_open_all(partition *p, const char *const *paths, size_t count, bool may_read);
+
+/* Whether the triangles of a record, and their numbers, lie where partition_triangles tells; else they are to be gathered. */
+bool partition_is_at_hand(const partition *p);
 
 /* Refuses more triangles than ids can number. Returns an exit_code. */
 int partition_check_numbers(const char *name, uint64_t triangles);
@@ -86,9 +93,7 @@ const uint32_t *partition_numbers(const partition *p, size_t record); /* NULL wh
 /* Whether they are those that were written. */
 bool partition_is_sound(const partition *p, size_t record);
 
-/*
- * Copies the triangles of a record of several partitions, and their numbers if not NULL. False where some are not what was written.
- */
+/* Copies the triangles of a record, and their numbers where it has some. False where some are not what was written. */
 bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers);
 
 /* Says which partition, or which of several, has triangles that are not those that were written. Returns EXIT_CODE_FAILURE. */

@@ -146,7 +146,7 @@ static int work_on_partitions(partition_answer *a)
 {
     partition all;
     folder_out out;
-    int code = partition_open_all(&all, a->r->paths, a->r->count);
+    int code = partition_open_all(&all, a->r->paths, a->r->count, false);
     if (code)
         return code;
     a->header = all.header;

@@ -13,8 +13,8 @@ struct tile_room {
     size_t scratch_bytes;
     size_t most;                    /* triangles of a partition at once */
     uint32_t *list;                 /* 0, 1, 2, ... */
-    unsigned char *gathered;        /* of several partitions: so many */
-    uint32_t *numbers;              /* theirs, where they are asked for */
+    unsigned char *gathered;        /* of a partition that is not at hand: so many */
+    uint32_t *numbers;              /* theirs, where they have some */
     size_t starts[BATCH_TILES + 1]; /* of the tiles of a batch */
 };
 
@@ -30,14 +30,15 @@ static bool make_list(const tile_set *set, size_t from, size_t to, tile_room *ro
     for (size_t r = from; r < to; r++)
         if (tile_set_triangles(set, r) > room->most)
             room->most = tile_set_triangles(set, r);
+    const bool is_gathered = !partition_is_at_hand(set->from), has_numbers = is_gathered && set->from->header.number_bytes;
     room->list = malloc(room->most * sizeof *room->list);
     for (size_t i = 0; room->list && i < room->most; i++)
         room->list[i] = (uint32_t)i;
-    if (set->from->pieces)
+    if (is_gathered)
         room->gathered = malloc(room->most * triangle_bytes(set));
-    if (set->from->pieces && set->task.has_ids)
+    if (has_numbers)
         room->numbers = malloc(room->most * sizeof *room->numbers);
-    return room->list && (!set->from->pieces || (room->gathered && (room->numbers || !set->task.has_ids)));
+    return room->list && (room->gathered || !is_gathered) && (room->numbers || !has_numbers);
 }
 
 tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
@@ -119,7 +120,7 @@ static batch take_batch(const tile_set *set, size_t from, size_t to, const tile_
            b.mesh.count + tile_set_triangles(set, b.to) <= room->most)
         b.mesh.count += tile_set_triangles(set, b.to++);
     b.end = (size_t)set->records[b.to - 1].tile + 1;
-    b.mesh.positions = set->from->pieces ? room->gathered : partition_triangles(set->from, from);
+    b.mesh.positions = room->gathered ? room->gathered : partition_triangles(set->from, from);
     b.mesh.vertices = 3 * b.mesh.count;
     b.mesh.position_bytes = set->from->header.position_bytes;
     return b;
@@ -137,14 +138,14 @@ static void set_starts(const tile_set *set, const batch *b, size_t *starts)
     starts[b->end - b->first] = before;
 }
 
-/* Whether all triangles are what they were; those of several partitions are gathered. */
+/* Whether all triangles are what they were; those that are not at hand are gathered. */
 static bool check_batch(const tile_set *set, const batch *b, tile_room *room)
 {
     unsigned char *at = room->gathered;
     uint32_t *numbers = room->numbers;
     bool is_sound = true;
     for (size_t r = b->from; r < b->to && is_sound; r++) {
-        if (!set->from->pieces) {
+        if (!at) {
             is_sound = partition_is_sound(set->from, r);
             continue;
         }

@@ -150,7 +150,7 @@ static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
 static int work_on_partition(const voxelize_request *r, voxelize_answer *a)
 {
     partition p;
-    int code = partition_open_all(&p, r->paths, r->count);
+    int code = partition_open_all(&p, r->paths, r->count, true);
     if (code)
         return code;
     const voxelize_input in = {.partition = &p, .cells = partition_voxels(&p.header)};
