@@ -120,8 +120,7 @@ static int take(void *request, int which, const char *value)
     case OPTION_OPERAND:
         return EXIT_CODE_OK;
     case OPTION_MEMORY:
-        return memory_read(value, &r->memory) ? EXIT_CODE_OK
-                                              : message_usage("--memory: '%s' is no size, such as 512M or 1G", value);
+        return numbers_read_memory(value, &r->memory);
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     default:

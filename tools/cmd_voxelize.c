@@ -11,7 +11,7 @@
 #include "console/system.h"
 #include "partition/partition.h"
 #include "read/mesh_file.h"
-#include "voxelize/voxelize_work.h"
+#include "voxelize/sort_first.h"
 #include "write/file_out.h"
 
 static const char help[] =
@@ -22,7 +22,7 @@ static const char help[] =
     "\n"
     "Marks the cells of the surface, and with --fill those inside. Cells contain their borders: a face on\n"
     "a plane of the grid marks the cells on both sides. MESH is as for 'tribox overlap'; FOLDER is what\n"
-    "'tribox partition' wrote; several of one grid are one mesh. Sparse files may be larger than memory.\n"
+    "'tribox partition' wrote; several of one grid are one mesh. MESH and sparse files may exceed memory.\n"
     "\n" GRID_HELP RESULT_HELP "      --count             write no file, only count cells and bricks\n"
     "      --thin              a surface of about half the cells that does not leak across faces\n"
     "      --fill WORD         outside: also cells not reached from outside through free cells;\n"
@@ -32,6 +32,7 @@ static const char help[] =
     "      --inside-only       with --fill: only the cells inside, not those of the surface\n"
     "      --colours           of MESH (not STL, .f32), in the file and the picture\n"
     "      --ids               the lowest triangle of each cell\n"
+    "  -m, --memory SIZE       bytes, or 512M, 4G; a larger MESH is sorted first; default: what is free\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
     "      --shard I/N         part I (1 to N) of N, of about equal work, as a .npz for 'tribox merge'\n" OPTIONS_TEST_HELP
         OPTIONS_HELP_HELP "\n"
@@ -52,6 +53,7 @@ enum {
     OPTION_INSIDE_ONLY,
     OPTION_COLOURS,
     OPTION_IDS,
+    OPTION_MEMORY,
     OPTION_THREADS,
     OPTION_SHARD,
     OPTION_ACCURACY,
@@ -68,6 +70,7 @@ static const option_entry options[] = {RESULT_ENTRIES(voxelize_request),
                                        [OPTION_INSIDE_ONLY] = {"inside-only", 0, false},
                                        [OPTION_COLOURS] = {"colours", 0, OPTION_SETS(voxelize_request, has_colours)},
                                        [OPTION_IDS] = {"ids", 0, OPTION_SETS(voxelize_request, result.options.has_ids)},
+                                       [OPTION_MEMORY] = {"memory", 'm', true},
                                        [OPTION_THREADS] = {"threads", 't', true},
                                        [OPTION_SHARD] = {"shard", 0, true},
                                        [OPTION_ACCURACY] = {"accuracy", 0, true},
@@ -112,6 +115,8 @@ static int take(void *request, int which, const char *value)
     case OPTION_INSIDE_ONLY:
         r->cells = FILL_CELLS_INSIDE;
         return EXIT_CODE_OK;
+    case OPTION_MEMORY:
+        return numbers_read_memory(value, &r->memory);
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     case OPTION_SHARD:
@@ -132,6 +137,8 @@ static int check_partition(const voxelize_request *r, const options_found *found
             return message_usage(
                 "%s is a folder, so a partition, which has its grid: leave out --%s; or give meshes by their names",
                 r->from.mesh_path, options[which].name);
+    if (options_has(found, OPTION_MEMORY))
+        return message_usage("%s is a partition, which is sorted: leave out --memory", r->from.mesh_path);
     if (r->test.axes && r->test.axes != TRIBOX_AXES_ALL)
         return message_usage("%s is a partition, which is for all axes: leave out --axes", r->from.mesh_path);
     if (r->fill == FILL_PARITY || r->fill == FILL_MIDDLES)
@@ -245,6 +252,9 @@ static int check_conflicts(const voxelize_request *r, const options_found *found
     for (size_t n = 0; n < sizeof conflicts / sizeof *conflicts; n++)
         if (options_has(found, conflicts[n].one) && options_has(found, conflicts[n].other))
             return message_usage("%s", conflicts[n].line);
+    if (options_has(found, OPTION_MEMORY) && !sort_first_can(r))
+        return message_usage("--memory sorts a larger mesh by tiles, which is for exact cells of the surface or of --fill outside: "
+                             "leave out --memory, or --accuracy, --axes, --colours, --thin or another --fill");
     for (size_t n = 0; n < sizeof lacks / sizeof *lacks; n++)
         if (options_has(found, lacks[n].option) && partition_is_folder(r->from.mesh_path))
             return message_usage("%s is a partition, which %s needs the mesh itself", r->from.mesh_path, lacks[n].line);

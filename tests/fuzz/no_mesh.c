@@ -13,8 +13,9 @@ int mesh_read_as(const char *path, triangle_format format, unsigned threads, mes
     return message_failure("%s: no mesh of format %d", path, (int)format);
 }
 
-int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m)
+int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh_overflow *over, mesh *m)
 {
+    (void)is_wide, (void)over;
     return mesh_read_as(path, format, threads, m);
 }
 

@@ -73,7 +73,7 @@ class Places(Files):
                            stdin=content)
         limit = self.need_limit(resource.RLIMIT_AS, 64 * MIB)
         self.fail_with(1, r"stdin: after \d+ triangles the next take [\d.]+ MiB of memory and [\d.]+ MiB are available; "
-                       "save the mesh as a file, which takes less", "voxelize", "-", "--format", "f32", "-c", "1",
+                       "save the mesh as a file, which takes less", "voxelize", "-", "--format", "f32", "-c", "1", "--axes", "box",
                        "-o", self.path("x.raw"), stdin=bytes(72 << 20), limit=limit)
 
     def test_nobody_takes_it(self):
@@ -256,6 +256,7 @@ class Signals(Files):
         for arguments in (("voxelize", mesh, *TILES, "-q", "-o", self.path("out")),
                           ("partition", mesh, *TILES, "-q", "-o", self.path("out")),
                           ("partition", mesh, "-r", "2000", "-m", "3000", "-q", "-o", self.path("out")),
+                          ("voxelize", mesh, "-r", "700", "-m", "3000", "-q", "-o", self.path("out")),
                           ("voxelize", mesh, *TILES, "-q", "--shard", "1/1", "-o", self.path("out"))):
             arguments += ("--out-format", "npz") * (arguments[0] == "voxelize")
             subprocess.run(["rm", "-rf", self.path("out")], check=True)

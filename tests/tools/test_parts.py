@@ -21,6 +21,8 @@ from triangles import INF, NAN
 SIZE = (390, 270, 140)  # 4 x 3 x 2 tiles, the last of each axis cut
 GRID = grid_of("0.0101,0.0145,0.029", "-2,-2,-2", "390,270,140")
 TRIANGLES = np.array(meshes.lattice_triangles(12, seed=6))
+SMALL = meshes.floats(np.random.default_rng(SEED).uniform(-2, 2, (5000, 1, 3)) +
+                      np.random.default_rng(SEED).uniform(-0.01, 0.01, (5000, 3, 3)))
 DAMAGED = "not a part, or only the beginning of one, or damaged"
 
 
@@ -369,6 +371,80 @@ class Partitions(Voxels):
                             for piece in pieces], self.partition(self.mesh, *GRID, *ids, names=names)[0]
             for memory in ("1000", "1G"):
                 self.assertEqual(self.partition(*apart, "-m", memory, names=names)[0], whole)
+
+    def sorted_first(self, where, *words, ending=".npz", **how):
+        """What voxelize writes with little memory, which it says, after it did so with enough; the same."""
+        for memory, said in (("8G", ""), ("3000", "note: .*: larger than the memory for it, so its triangles are sorted into a "
+                                          "temporary partition in %s\n" % where)):
+            how["env"] = {"TMPDIR": "" if where != self.folder else where}
+            out, there = self.path("sorted" + ending), self.there()
+            result = harness.run("voxelize", *words, "-m", memory, "-o", out, **how)
+            self.assertRegex(result.stderr, r"\A(tribox voxelize: warning.*\n)?%s(tribox voxelize: warning.*\n)?\Z" % (
+                said and "tribox voxelize: " + said))
+            self.assertEqual((result.code, self.there()), (0, sorted(there + [out])), words)
+            cells = read(out)
+            os.remove(out)
+            whole = whole if said else cells
+            self.assertEqual(cells, whole, (words, memory))
+            yield cells
+
+    def test_sorted_first(self):
+        """A mesh that is larger than --memory: the same file as with enough, and nothing left beside it."""
+        far, finite = np.array(self.triangles) + 1e6, TRIANGLES
+        stl, ply = self.write("m.stl", meshes.stl_binary(self.triangles)), self.write("m.ply", meshes.ply_of(finite))
+        wide = self.write("wide.ply", meshes.ply_of(far[np.isfinite(far).all((1, 2))] + 0.1, kind="double"))
+        for mesh, options, endings in ((self.mesh, (), ("npz", "nrrd", "obj")), (self.mesh, ("--ids",), ("npz", "npy")),
+                                       (self.mesh, ("--fill", "outside", "--labels"), ("npz", "nrrd")),
+                                       (self.mesh, ("--shard", "2/3"), ("npz",)), (stl, (), ("npz",)), (ply, (), ("npz",))):
+            for ending in endings:
+                list(self.sorted_first(self.path(""), mesh, *GRID, *options, ending="." + ending))
+        for mesh, *options in ((self.mesh, "-r", "300"), (wide, "-r", "300"), (wide, "-r", "300", "--shift", "auto"),
+                               (self.mesh_of(far, "far"), "-r", "300", "--shift", "auto"), (stl, "-c", "0.02", "--shift", "1,2,3")):
+            list(self.sorted_first(self.folder, mesh, *options))
+        text = self.write("text.obj", meshes.obj(finite))
+        self.assertEqual(self.out("voxelize", text, *GRID, "-m", "3000"), self.out("voxelize", text, *GRID))
+
+    def test_sorted_first_of_a_pipe(self):
+        """Less than a block, and more than memory has room for at first, and later; shifted, and as doubles."""
+        for count, memory, (form, pack) in itertools.product(
+                (100, 150000), (1000, 3 << 20, 9 << 20),
+                (("f32", meshes.pack_floats), ("stl", meshes.stl_binary), ("f64", lambda t: meshes.pack_floats(t, "<f8")))):
+            mesh, words = pack(np.resize(SMALL, (count, 3, 3))), (*GRID, "--ids") if count < 1000 else GRID
+            path, pipe = self.write("m." + form, mesh), ("voxelize", "-", "--format", form)
+            whole, out = self.out("voxelize", path, *words), self.path("piped.npz")
+            result = harness.run(*pipe, *words, "-m", str(memory), "-o", out, stdin=mesh)
+            room = 65536 * (72 if form == "f64" else 36)  # at first, then twice as much and what is copied
+            self.assertEqual((result.code, read(out) == whole, "sorted" in result.stderr),
+                             (0, True, count > (0 if memory < room else 65536 if memory < 3 * room else 131072)), (memory, form))
+            os.remove(out)
+        result = harness.run(*pipe, *GRID, "--shift", "1,2,3", "-m", "1000", "-o", out, stdin=mesh)
+        self.assertEqual((result.code, read(out)), (0, self.out("voxelize", path, *GRID, "--shift", "1,2,3")))
+        self.fail_with(1, "stdin: truncated", *pipe, *GRID, "-q", "-m", "1000", "-o", out + "x.npz", stdin=mesh[:-1])  # of doubles
+
+    def test_sorted_first_in_vain(self):
+        """The disk is full, or there is no such folder: a line, and nothing is left."""
+        out, place = self.path("x.npz"), r"the temporary partition in .* \(TMPDIR names the folder\): cannot write "
+        for mesh, stdin in ((self.mesh, b""), ("-", read(self.mesh))):
+            words = ("voxelize", mesh, "--format", self.mesh[-3:], *GRID, "-q", "-m", "3000", "-o", out)
+            for size in (50, 5000, 30000):
+                self.fail_with(1, place + "all of it: File too large; nothing of it was kept", *words, stdin=stdin,
+                               limit=(resource.RLIMIT_FSIZE, size))
+            self.fail_with(1, place + "there: No such file", *words, stdin=stdin, env={"TMPDIR": self.path("none")})
+
+    @harness.unless_sanitized
+    def test_little_memory(self):
+        """Six million triangles, 216 MB, within 80000 KiB: as a file, as a pipe, and as a partition, which is read then."""
+        limit, path = self.need_limit(resource.RLIMIT_AS, 80000 << 10), self.path("big.f32")
+        with open(path, "wb") as file:
+            for _ in range(600):
+                file.write(meshes.pack_floats(np.resize(SMALL, (10000, 3, 3))))
+        words = ("-r", "512", "--ids")
+        whole = self.out("voxelize", path, *words)
+        with open(path, "rb") as stdin:
+            self.assertEqual(self.out("voxelize", "-", "--format", "f32", *words, stdin=stdin, limit=limit), whole)
+        self.assertEqual(self.out("voxelize", path, *words, limit=limit), whole)
+        self.succeed("partition", path, *words, "-q", "-o", self.path("t"), limit=limit)
+        self.assertEqual(self.out("voxelize", self.path("t"), "--ids", limit=limit), whole)
 
     def test_layouts_of_ply(self):
         """Faces that refer to vertices anywhere; one element more, of nothing, has the file read as a whole."""

@@ -11,8 +11,8 @@ OPTIONS = {
     "overlap": "--format --shift --box --boxes --oriented --inside --out --rest --list --json --accuracy --axes --order --kernel "
                "--threads --help",
     "voxelize": "--resolution --cell --origin --size --format --shift --out --out-format --deflate --vdb-grid --preview --up "
-                "--picture-size --json --quiet --threads --shard --count --thin --fill --labels --inside-only --colours --ids "
-                "--accuracy --axes --kernel --help",
+                "--picture-size --json --quiet --memory --threads --shard --count --thin --fill --labels --inside-only --colours "
+                "--ids --accuracy --axes --kernel --help",
     "merge": "--out --out-format --preview --up --picture-size --threads --json --quiet --help",
     "partition": "--format --shift --resolution --cell --origin --size --out --memory --threads --json --quiet --help",
     "info": "--out --json --quiet --help",
@@ -102,6 +102,10 @@ WRONG = {
         *(("--thin is exact and of all axes", *V, "--thin", *way) for way in (("--accuracy", "fast"), ("--axes", "box"))),
         *(("--fill middles has no cells of the surface: leave out " + option, *V, "--fill", "middles", option)
           for option in ("--thin", "--labels", "--inside-only")),
+        *(("--memory: '%s' is no size" % size, *V, "--memory", size) for size in ("", "0", "1GB")),
+        *(("--memory sorts a larger mesh by tiles", *V, "-m", "1G", *words)
+          for words in (("--thin",), ("--accuracy", "fast"), ("--axes", "box"), ("--fill", "parity"), ("--fill", "middles"))),
+        (TILES + ", which is sorted: leave out --memory", ".", "-m", "1G", "-o", "x.npz"),
         ("--labels is about a filled mesh: give --fill outside or --fill parity", *V, "--labels"),
         ("--inside-only is about a filled mesh", *V, "--inside-only"),
         ("--labels and --inside-only exclude each other", *FILL, "--labels", "--inside-only", "-o", "x.npz"),

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "message.h"
+#include "system.h"
 #include "written_number.h"
 
 /* Reads number `position`, counted from 0, that the whole of text[0 .. length) spells. */
@@ -97,6 +98,11 @@ int numbers_read_whole(const char *text, const char *option, uint32_t most, uint
     const char *end;
     *number = read_digits(text, most, &end);
     return *number && !*end ? EXIT_CODE_OK : message_usage("%s: '%s' is not a whole number from 1 to %u", option, text, most);
+}
+
+int numbers_read_memory(const char *text, uint64_t *bytes)
+{
+    return memory_read(text, bytes) ? EXIT_CODE_OK : message_usage("--memory: '%s' is no size, such as 512M or 1G", text);
 }
 
 int numbers_read_sizes(const char *text, const char *option, uint32_t most, uint32_t sizes[3])

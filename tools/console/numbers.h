@@ -24,6 +24,9 @@ bool numbers_are_floats(const double *numbers, int count);
 /* Reads a text that is one whole number from 1 to most. option: its name, for messages. Returns an exit_code. */
 int numbers_read_whole(const char *text, const char *option, uint32_t most, uint32_t *number);
 
+/* Reads what --memory has. Returns an exit_code. */
+int numbers_read_memory(const char *text, uint64_t *bytes);
+
 /* The same for NX,NY,NZ. */
 int numbers_read_sizes(const char *text, const char *option, uint32_t most, uint32_t sizes[3]);
 

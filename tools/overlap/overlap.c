@@ -180,7 +180,7 @@ static int answer_mesh(const request *r, crop_files *files)
 {
     mesh m;
     request own = *r; /* its shift is found from the mesh */
-    int code = mesh_read_shifted(r->mesh_path, r->format, &own.shift, r->threads, &m);
+    int code = mesh_read_shifted(r->mesh_path, r->format, &own.shift, r->threads, NULL, &m);
     if (code)
         return code;
     mesh_warn(r->mesh_path, &m);

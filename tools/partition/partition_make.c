@@ -8,10 +8,12 @@
 #include "console/system.h"
 #include "tile_sort.h"
 #include "voxelize/tile_set.h"
-#include "write/file_out.h"
 
 /* How many meshes there are does not matter to a message about all of them. */
-static const char *name_of(const partition_request *r) { return r->count == 1 ? triangle_file_name(r->paths[0]) : "the meshes"; }
+static const char *name_of(const partition_request *r)
+{
+    return r->name ? r->name : r->count == 1 ? triangle_file_name(r->paths[0]) : "the meshes";
+}
 
 static uint64_t memory_of(const partition_request *r) { return r->memory ? r->memory : memory_available() / 2; }
 
@@ -33,9 +35,9 @@ static void fill_header(partition_answer *a, uint32_t tile, unsigned position_by
     memcpy(h->size, a->cells.grid.size, sizeof h->size);
 }
 
-static int write_runs(partition_answer *a, const tile_runs *runs, folder_out *out)
+static int write_runs(partition_answer *a, const tile_runs *runs)
 {
-    return tile_write(out, runs, a->r->threads, a->r->is_quiet, &a->header, &a->spilled);
+    return tile_write(&a->out, runs, a->r->threads, a->r->is_quiet, &a->header, &a->spilled);
 }
 
 static int refuse_none(const partition_request *r)
@@ -43,20 +45,20 @@ static int refuse_none(const partition_request *r)
     return message_failure("%s: none of %s triangles has finite coordinates", name_of(r), r->count == 1 ? "its" : "their");
 }
 
-static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, uint32_t side, folder_out *out)
+static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, uint32_t side)
 {
     tally found;
-    int code = tile_sort(runs, all, a->r->threads, a->r->is_quiet, out, &found);
+    int code = tile_sort(runs, all, a->r->threads, a->r->is_quiet, &a->out, &found);
     if (code)
         return code;
     mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
     if (found.not_finite == found.triangles)
         return refuse_none(a->r);
     fill_header(a, side, all->write_bytes, &found);
-    return write_runs(a, runs, out);
+    return write_runs(a, runs);
 }
 
-static int sort_pieces(partition_answer *a, const pieces *all, folder_out *out)
+static int sort_pieces(partition_answer *a, const pieces *all)
 {
     const bool has_ids = a->r->has_ids;
     const uint32_t side = tile_set_side(a->cells.grid.size, has_ids);
@@ -65,7 +67,7 @@ static int sort_pieces(partition_answer *a, const pieces *all, folder_out *out)
     tile_runs *const runs = tile_runs_make(&a->cells.grid, side, has_ids, all->blocks, memory_of(a->r));
     if (!runs)
         return EXIT_CODE_FAILURE;
-    const int code = sort_blocks(a, all, runs, side, out);
+    const int code = sort_blocks(a, all, runs, side);
     tile_runs_free(runs);
     return code;
 }
@@ -97,22 +99,20 @@ static int survey(partition_answer *a, pieces *all)
     return grid_choose_around(choice, name_of(a->r), &found.bounds, &a->cells.grid);
 }
 
+static int open_out(partition_answer *a, bool has_ids)
+{
+    return folder_out_open(&a->out, a->r->out_path, a->r->told, PARTITION_NAMES(has_ids));
+}
+
 static int work_on_pieces(partition_answer *a, pieces *all)
 {
-    folder_out out;
     pieces_divide(all, tile_sort_block(all, memory_of(a->r), a->r->threads));
     int code = a->r->has_ids ? partition_check_numbers(name_of(a->r), all->triangles) : EXIT_CODE_OK;
     if (!code)
         code = survey(a, all);
     if (!code)
-        code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES(a->r->has_ids));
-    if (code)
-        return code;
-    code = sort_pieces(a, all, &out);
-    if (!code)
-        code = folder_out_keep(&out);
-    folder_out_drop(&out);
-    return code;
+        code = open_out(a, a->r->has_ids);
+    return code ? code : sort_pieces(a, all);
 }
 
 static int work_on_meshes(partition_answer *a)
@@ -126,7 +126,7 @@ static int work_on_meshes(partition_answer *a)
     return code;
 }
 
-static int join(partition_answer *a, const partition *all, folder_out *out)
+static int join(partition_answer *a, const partition *all)
 {
     const partition *const those = all->pieces ? all->pieces : all;
     uint64_t before = 0;
@@ -137,27 +137,35 @@ static int join(partition_answer *a, const partition *all, folder_out *out)
         tile_runs_take(runs, i, &those[i], before);
         before += those[i].header.triangles;
     }
-    const int code = write_runs(a, runs, out);
+    const int code = write_runs(a, runs);
     tile_runs_free(runs);
-    return code ? code : folder_out_keep(out);
+    return code;
 }
 
 static int work_on_partitions(partition_answer *a)
 {
     partition all;
-    folder_out out;
     int code = partition_open_all(&all, a->r->paths, a->r->count, false);
     if (code)
         return code;
     a->header = all.header;
     a->cells = partition_voxels(&a->header);
     a->is_shifted = voxels_are_shifted(&a->cells);
-    code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES(a->header.number_bytes));
+    code = open_out(a, a->header.number_bytes);
     if (!code)
-        code = join(a, &all, &out);
-    folder_out_drop(&out);
+        code = join(a, &all);
     partition_close(&all);
     return code;
 }
 
-int partition_make(partition_answer *a) { return partition_is_folder(a->r->paths[0]) ? work_on_partitions(a) : work_on_meshes(a); }
+int partition_make(partition_answer *a)
+{
+    const bool is_kept = !a->r->told;
+    a->out = (folder_out){.path = NULL};
+    int code = partition_is_folder(a->r->paths[0]) ? work_on_partitions(a) : work_on_meshes(a);
+    if (!code)
+        code = is_kept ? folder_out_keep(&a->out) : folder_out_finish(&a->out);
+    if (code || is_kept)
+        folder_out_drop(&a->out);
+    return code;
+}

@@ -4,6 +4,7 @@
 
 #include "partition.h"
 #include "voxelize/grid_options.h"
+#include "write/file_out.h"
 
 typedef struct partition_request {
     grid_request from;
@@ -12,7 +13,9 @@ typedef struct partition_request {
     uint32_t threads;
     uint64_t memory; /* bytes; 0: a share of what there is */
     const char *out_path;
-    bool has_ids; /* triangles keep their numbers */
+    const char *told; /* NULL, or what messages call a partition that is used and dropped, and never kept as out_path */
+    const char *name; /* NULL, or what messages call the mesh */
+    bool has_ids;     /* triangles keep their numbers */
     bool wants_json, is_quiet;
 } partition_request;
 
@@ -21,11 +24,15 @@ typedef struct partition_answer {
     voxels cells;
     bool is_shifted;
     partition_header header;
+    folder_out out;
     uint64_t spilled; /* bytes that went through files beside it */
     double seconds;
 } partition_answer;
 
-/* Writes the folder out_path, which must not be there yet. a: its request is set. Returns an exit_code. */
+/*
+ * Writes the folder out_path, which must not be there yet; or, with `told`, one beside such a name: out.beside, to be dropped. Of a
+ * the request is set. Returns an exit_code; on failure nothing is left.
+ */
 int partition_make(partition_answer *a);
 
 #endif

@@ -291,7 +291,7 @@ static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned t
         mesh_warn(p->path, &(mesh){.miscut = (size_t)p->ply.miscut});
         return EXIT_CODE_OK;
     }
-    code = is_wide ? mesh_read_wide(p->path, format, threads, &p->whole) : mesh_read_as(p->path, format, threads, &p->whole);
+    code = mesh_read_over(p->path, format, is_wide, threads, NULL, &p->whole);
     if (code)
         return code;
     p->triangles = p->whole.triangles;

@@ -56,7 +56,7 @@ int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
     } else if (!code && !indexed.triangles) {
         code = mesh_make_room(path, 0, m);
     } else if (!code && !mesh_take(&indexed, is_wide, threads, m)) {
-        code = message_failure("%s: out of memory for %zu triangles", path, indexed.triangles);
+        code = message_failure("%s: out of memory for %zu triangles" MESH_TO_SORT, path, indexed.triangles);
     }
     indexed_mesh_free(&indexed);
     return code;
@@ -79,13 +79,13 @@ static int read_whole(const char *path, bool is_wide, unsigned threads, mesh *m)
                                                                          : mesh_read_slowly(path, is_wide, threads, m);
 }
 
-static int read_mesh(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh *m)
+int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh_overflow *over, mesh *m)
 {
     triangle_file file;
     *m = (mesh){.coordinates = NULL};
     int code = triangle_file_open(path, format, &file);
     if (!code)
-        code = file.stream ? mesh_read_triangles(&file, threads, m) : read_whole(path, is_wide, threads, m);
+        code = file.stream ? mesh_read_triangles(&file, threads, over, m) : read_whole(path, is_wide, threads, m);
     triangle_file_close(&file);
     if (code)
         mesh_free(m);
@@ -94,12 +94,7 @@ static int read_mesh(const char *path, triangle_format format, bool is_wide, uns
 
 int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m)
 {
-    return read_mesh(path, format, false, threads, m);
-}
-
-int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m)
-{
-    return read_mesh(path, format, true, threads, m);
+    return mesh_read_over(path, format, false, threads, NULL, m);
 }
 
 int mesh_read(const char *path, mesh *m)

@@ -76,8 +76,19 @@ typedef struct mesh {
  */
 int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m);
 
-/* mesh_read_as, but numbers of a text stay doubles even where floats would do. */
-int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m);
+/* Where the triangles of a stream go that are more than memory is to hold. */
+typedef struct mesh_overflow {
+    uint64_t memory;                                                        /* bytes that they may take before */
+    int (*put)(void *data, bool is_double, const void *bytes, size_t size); /* takes what .f32 or .f64 has; returns an exit_code */
+    void *data;
+    bool is_used; /* all of them went there, and the mesh has none */
+} mesh_overflow;
+
+/*
+ * mesh_read_as; is_wide: numbers of a text stay doubles even where floats would do. over: NULL for none; only a stream of triangles
+ * uses it.
+ */
+int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh_overflow *over, mesh *m);
 
 /* mesh_read_as, by its name and one thread, as floats in any case. */
 int mesh_read(const char *path, mesh *m);
@@ -122,8 +133,8 @@ int read_by_assimp(const char *path, mesh *m);
 struct assimp_colours;
 int read_colours_by_assimp(const char *path, size_t triangles, float (*of)[3], struct assimp_colours *found);
 
-/* Reads all triangles of an open file into an empty mesh, a regular one by threads. Returns an exit_code. */
-int mesh_read_triangles(triangle_file *file, unsigned threads, mesh *m);
+/* Reads all triangles of an open file into an empty mesh, a regular one by threads. over: as above. Returns an exit_code. */
+int mesh_read_triangles(triangle_file *file, unsigned threads, mesh_overflow *over, mesh *m);
 
 /*
  * The two ways to read a whole file, which tests compare. The fast one returns false, with nothing said and nothing to be freed,
@@ -197,7 +208,7 @@ int mesh_shift_read(const char *text, mesh_shift *shift);
  * mesh_read_as, and subtracts the shift from all positions, in double; the mesh is one of floats where float holds the differences.
  * auto: round numbers near the lower corner of the mesh, in units of a power of ten that its longest side does not exceed.
  */
-int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh *m);
+int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh_overflow *over, mesh *m);
 
 /* What auto chooses for a mesh of these bounds. */
 void mesh_shift_choose(const tribox_box *bounds, double by[3]);

@@ -32,7 +32,7 @@ static int read_bytes(const char *path, FILE *stream, whole_file *file)
 {
     file->bytes = malloc(file->size + 1);
     if (!file->bytes)
-        return message_failure("%s: out of memory: the file has %zu bytes", path, file->size);
+        return message_failure("%s: out of memory: the file has %zu bytes" MESH_TO_SORT, path, file->size);
     errno = 0;
     if (read_pieces(stream, file)) {
         file->bytes[file->size] = '\0';
@@ -136,4 +136,17 @@ mesh_kind mesh_kind_of(const char *path)
     }
     plain_file_close(&file);
     return kind;
+}
+
+bool mesh_is_binary_ply(const char *path)
+{
+    plain_file file = {.path = path};
+    bool is_binary = false;
+    if (plain_file_open(path, &file)) {
+        words w = words_of(path, &file.head, ' ');
+        is_binary = words_next(&w) && words_is(&w, "ply") && words_next(&w) && words_is(&w, "format") && words_next(&w) &&
+                    !words_is(&w, "ascii");
+    }
+    plain_file_close(&file);
+    return is_binary;
 }

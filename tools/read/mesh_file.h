@@ -34,10 +34,16 @@ typedef enum mesh_kind { MESH_KINDS(MESH_KIND) MESH_OTHER } mesh_kind;
 #define MESH_KIND_ENDING(kind, name, word, ending, ...) ending ", "
 #define MESH_ENDINGS MESH_KINDS(MESH_KIND_ENDING) ".f32 or .f64"
 
+/* What a line says that there is no memory for a mesh which has to be read as a whole. */
+#define MESH_TO_SORT "; save it as binary .ply, which 'tribox partition' and 'tribox voxelize' sort on the disk, or in pieces"
+
 const char *mesh_kind_ending(mesh_kind kind);
 
 /* The kind of a file, from its beginning; OTHER where it cannot be read. */
 mesh_kind mesh_kind_of(const char *path);
+
+/* Whether it is PLY that is not text, whose triangles need not be read all at once. */
+bool mesh_is_binary_ply(const char *path);
 
 bool mesh_kind_has_ending(const char *path, const char *ending);
 

@@ -8,6 +8,7 @@
 
 #include "console/message.h"
 #include "console/system.h"
+#include "mesh_file.h"
 
 enum { TRIANGLE_BYTES = 9 * sizeof(float) };
 
@@ -40,7 +41,8 @@ int mesh_make_room(const char *path, uint64_t count, mesh *m)
 {
     if (!count)
         return message_failure("%s: contains no triangles (points or lines at most); give a mesh with faces", path);
-    return mesh_take_room(count, m) ? EXIT_CODE_OK : message_failure("%s: out of memory for %" PRIu64 " triangles", path, count);
+    return mesh_take_room(count, m) ? EXIT_CODE_OK
+                                    : message_failure("%s: out of memory for %" PRIu64 " triangles" MESH_TO_SORT, path, count);
 }
 
 bool mesh_grow(uint64_t count, mesh *m)

@@ -70,12 +70,10 @@ static int subtract(const char *path, const double by[3], mesh *m)
     return fits_float(positions, 3 * m->doubles.vertices) ? mesh_to_floats(path, (const double[3]){0, 0, 0}, m) : EXIT_CODE_OK;
 }
 
-int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh *m)
+int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh_overflow *over, mesh *m)
 {
-    if (!shift->is_wanted)
-        return mesh_read_as(path, format, threads, m);
-    int code = mesh_read_wide(path, format, threads, m);
-    if (code)
+    int code = mesh_read_over(path, format, shift->is_wanted, threads, over, m);
+    if (code || !shift->is_wanted || (over && over->is_used))
         return code;
     if (shift->is_auto) {
         tribox_box bounds;

@@ -3,6 +3,7 @@
 
 #include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "console/crew.h"
 #include "console/system.h"
@@ -128,7 +129,53 @@ static int more_room(const char *name, bool is_double, size_t *room, mesh *m)
     return EXIT_CODE_OK;
 }
 
-static int read_stream(triangle_file *file, mesh *m)
+/* Numbers of this machine, of which others are made in the same way as from them. */
+static int put_over(const mesh_overflow *over, bool is_double, size_t count, unsigned char *numbers)
+{
+    triangles_unpack(is_double ? TRIANGLES_F64 : TRIANGLES_F32, count, numbers);
+    return over->put(over->data, is_double, numbers, count * (is_double ? sizeof(double[9]) : sizeof(float[9])));
+}
+
+static void lay(const mesh *m, bool is_double, size_t first, size_t count, unsigned char *to)
+{
+    if (is_double) {
+        memcpy(to, (const double *)m->positions + 9 * first, count * sizeof(double[9]));
+        return;
+    }
+    const float *const *const streams[3] = {m->soup.x, m->soup.y, m->soup.z};
+    for (size_t k = 0; k < 9 * count; k++)
+        memcpy(to + k * sizeof(float), &streams[k % 3][k % 9 / 3][first + k / 9], sizeof(float));
+}
+
+/* The triangles that there are, then those of the block, then the rest. */
+static int overflow(triangle_file *file, triangle_block *block, mesh_overflow *over, bool is_double, mesh *m)
+{
+    triangle_block *const room = make_block(NULL);
+    int code = room ? EXIT_CODE_OK : message_failure("%s: out of memory", file->name);
+    over->is_used = true;
+    for (size_t first = 0; !code && first < m->triangles; first += TRIANGLE_BLOCK) {
+        const size_t left = m->triangles - first, count = left < TRIANGLE_BLOCK ? left : TRIANGLE_BLOCK;
+        lay(m, is_double, first, count, room->bytes);
+        code = put_over(over, is_double, count, room->bytes);
+    }
+    free(room);
+    mesh_free(m);
+    while (!code && block->count) {
+        triangles_unpack(file->format, block->count, block->bytes);
+        code = put_over(over, is_double, block->count, block->bytes);
+        if (!code)
+            code = triangle_file_find(file, block);
+    }
+    return code;
+}
+
+/* Whether twice as much room, and what there is while it is copied, are too much. */
+static bool is_over(const mesh_overflow *over, size_t room, bool is_double)
+{
+    return over && over->memory / (is_double ? sizeof(double[9]) : sizeof(float[9])) < (room ? 3 * room : 16 * TRIANGLE_BLOCK);
+}
+
+static int read_stream(triangle_file *file, mesh_overflow *over, mesh *m)
 {
     const bool is_double = file->format == TRIANGLES_F64;
     triangle_block *const block = make_block(NULL);
@@ -136,6 +183,10 @@ static int read_stream(triangle_file *file, mesh *m)
     int code = block ? EXIT_CODE_OK : message_failure("%s: out of memory", file->name);
     while (!code && !(code = triangle_file_find(file, block)) && block->count) {
         float *to[9];
+        if (room - m->triangles < TRIANGLE_BLOCK && is_over(over, room, is_double)) {
+            code = overflow(file, block, over, is_double, m);
+            break;
+        }
         if (room - m->triangles < TRIANGLE_BLOCK)
             code = more_room(file->name, is_double, &room, m);
         if (code)
@@ -147,17 +198,17 @@ static int read_stream(triangle_file *file, mesh *m)
         m->soup.count = is_double ? 0 : m->triangles;
     }
     free(block);
-    if (!code && is_double)
+    if (!code && is_double && m->triangles)
         mesh_set_doubles(m->positions, 3 * m->triangles, NULL, m->triangles, m);
-    return code || m->triangles ? code : message_failure("%s: contains no triangles", file->name);
+    return code || m->triangles || (over && over->is_used) ? code : message_failure("%s: contains no triangles", file->name);
 }
 
-int mesh_read_triangles(triangle_file *file, unsigned threads, mesh *m)
+int mesh_read_triangles(triangle_file *file, unsigned threads, mesh_overflow *over, mesh *m)
 {
     if (file->is_sized)
         return read_sized(file, threads, m);
-    const int code = read_stream(file, m);
-    if (!code)
+    const int code = read_stream(file, over, m);
+    if (!code && m->triangles)
         mesh_look_all(threads, m);
     return code;
 }

@@ -7,8 +7,9 @@
 #include <string.h>
 
 #include "console/interrupt.h"
-#include "console/system.h"
 #include "console/message.h"
+#include "console/system.h"
+#include "sort_first.h"
 
 /*
  * Whether all cells at once take less time than tile by tile, and are the same: up to 2 MB of bits, which a core has at hand, and
@@ -130,34 +131,17 @@ static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_inp
     return code ? code : r->has_colours ? work_on_colours(r, in, a) : open_files(r, in, a);
 }
 
-static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
-{
-    mesh m;
-    mesh_shift shift = r->from.shift;
-    voxelize_input in = {.mesh = NULL};
-    int code = shift.is_wanted ? mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, &m)
-                               : mesh_read_as(r->from.mesh_path, r->from.format, r->threads, &m);
-    if (code)
-        return code;
-    a->is_shifted = shift.is_wanted;
-    if (shift.is_wanted)
-        memcpy(in.cells.shift, shift.by, sizeof shift.by);
-    code = work_with_mesh(r, &m, &in, a);
-    mesh_free(&m);
-    return code;
-}
-
-static int work_on_partition(const voxelize_request *r, voxelize_answer *a)
+static int work_on_partition(const voxelize_request *r, const char *const *paths, size_t count, voxelize_answer *a)
 {
     partition p;
-    int code = partition_open_all(&p, r->paths, r->count, true);
+    int code = partition_open_all(&p, paths, count, true);
     if (code)
         return code;
     const voxelize_input in = {.partition = &p, .cells = partition_voxels(&p.header)};
     a->triangles = (size_t)p.header.triangles;
     a->not_finite = (size_t)p.header.not_finite;
     a->is_double = p.header.position_bytes == sizeof(double);
-    a->is_shifted = voxels_are_shifted(&in.cells);
+    a->is_shifted = r->from.shift.is_wanted || voxels_are_shifted(&in.cells);
     if (r->result.options.has_ids && !p.header.number_bytes)
         code = message_failure("%s: has no numbers of its triangles; make it with 'tribox partition --ids', or leave out --ids",
                                p.path);
@@ -167,11 +151,43 @@ static int work_on_partition(const voxelize_request *r, voxelize_answer *a)
     return code;
 }
 
+static int work_sorted(const voxelize_request *r, sorted_place *place, voxelize_answer *a)
+{
+    const int code = sort_first(place);
+    return code ? code : work_on_partition(r, (const char *const[]){place->made.out.beside}, 1, a);
+}
+
+static int work_in_memory(const voxelize_request *r, mesh *m, const mesh_shift *shift, voxelize_answer *a)
+{
+    voxelize_input in = {.mesh = NULL};
+    a->is_shifted = shift->is_wanted;
+    if (shift->is_wanted)
+        memcpy(in.cells.shift, shift->by, sizeof shift->by);
+    const int code = work_with_mesh(r, m, &in, a);
+    mesh_free(m);
+    return code;
+}
+
+static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
+{
+    mesh m;
+    mesh_shift shift = r->from.shift;
+    sorted_place place;
+    mesh_overflow over = sort_first_overflow(r, &place);
+    int code = sort_first_is_due(r, &over.is_used);
+    if (!code && !over.is_used)
+        code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, sort_first_can(r) ? &over : NULL, &m);
+    if (!code)
+        code = over.is_used ? work_sorted(r, &place, a) : work_in_memory(r, &m, &shift, a);
+    sort_first_drop(&place);
+    return code;
+}
+
 int voxelize_work(const voxelize_request *r)
 {
     voxelize_answer a = {.r = r};
     if (r->result.format && r->result.format->writer->begin)
         r->result.format->writer->begin();
-    const int code = partition_is_folder(r->from.mesh_path) ? work_on_partition(r, &a) : work_on_mesh(r, &a);
+    const int code = partition_is_folder(r->from.mesh_path) ? work_on_partition(r, r->paths, r->count, &a) : work_on_mesh(r, &a);
     return code || !r->result.has_summary ? code : voxelize_report(&a);
 }

@@ -15,6 +15,7 @@ typedef struct voxelize_request {
     const char *const *paths; /* of it, or of several partitions: `count` */
     size_t count;
     uint32_t threads;
+    uint64_t memory;        /* bytes that the mesh may take before it is sorted; 0: a share of what there is */
     bool is_count;          /* nothing is written */
     uint32_t shard, shards; /* 1 of 1 without --shard */
     bool has_shard;

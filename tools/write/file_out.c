@@ -236,14 +236,14 @@ static char *within(const char *folder, const char *name)
     return path;
 }
 
-int folder_out_failure(const folder_out *out, int reason) { return fail_to_write(out->path, reason); }
+int folder_out_failure(const folder_out *out, int reason) { return fail_to_write(out->told, reason); }
 
 static int make_files(folder_out *out, const char *const names[FOLDER_FILES])
 {
     for (int i = 0; i < FOLDER_FILES && names[i]; i++) {
         out->name[i] = within(out->beside, names[i]);
         if (!out->name[i])
-            return message_failure("%s: out of memory", out->path);
+            return message_failure("%s: out of memory", out->told);
         interrupt_hold();
         interrupt_watch(out->name[i]);
         out->file[i] = named_file_open(out->name[i], "wb");
@@ -271,14 +271,14 @@ FILE *folder_out_spill(const folder_out *out)
     return spill;
 }
 
-int folder_out_open(folder_out *out, const char *path, const char *const names[FOLDER_FILES])
+int folder_out_open(folder_out *out, const char *path, const char *told, const char *const names[FOLDER_FILES])
 {
-    *out = (folder_out){.path = path};
-    if (named_file_is_there(path))
+    *out = (folder_out){.path = path, .told = told ? told : path};
+    if (!told && named_file_is_there(path))
         return message_failure("%s: is there already; remove it, or give another name", path);
     out->beside = file_out_beside(path, true);
     if (!out->beside)
-        return message_failure("%s: out of memory", path);
+        return message_failure("%s: out of memory", out->told);
     interrupt_hold();
     const bool is_made = new_file_make_folder(out->beside);
     const int reason = errno;
@@ -288,7 +288,7 @@ int folder_out_open(folder_out *out, const char *path, const char *const names[F
     if (!is_made) {
         free(out->beside);
         out->beside = NULL;
-        return message_failure("%s: cannot write there: %s", path, strerror(reason));
+        return message_failure("%s: cannot write there: %s", out->told, strerror(reason));
     }
     new_file_fail_quietly(false);
     const int code = make_files(out, names);
@@ -308,7 +308,8 @@ static void forget_folder(folder_out *out)
     *out = (folder_out){.path = NULL};
 }
 
-int folder_out_keep(folder_out *out)
+/* Returns an errno, or 0. */
+static int close_files(folder_out *out)
 {
     int reason = 0;
     for (int i = 0; i < FOLDER_FILES && out->file[i]; i++) {
@@ -316,6 +317,18 @@ int folder_out_keep(folder_out *out)
             reason = errno ? errno : EIO;
         out->file[i] = NULL;
     }
+    return reason;
+}
+
+int folder_out_finish(folder_out *out)
+{
+    const int reason = close_files(out);
+    return reason ? folder_out_failure(out, reason) : EXIT_CODE_OK;
+}
+
+int folder_out_keep(folder_out *out)
+{
+    int reason = close_files(out);
     if (!reason && !new_file_rename_folder(out->beside, out->path))
         reason = errno;
     const int code = reason ? folder_out_failure(out, reason) : EXIT_CODE_OK;

@@ -54,15 +54,20 @@ enum { FOLDER_FILES = 3 }; /* at most */
 /* Until it is kept the folder is ".tribox-" and six letters beside its place; a run that is killed leaves that there. */
 typedef struct folder_out {
     const char *path; /* as it was given */
+    const char *told; /* what messages call it */
     char *beside;
     FILE *file[FOLDER_FILES]; /* NULL: there is no such file */
     char *name[FOLDER_FILES]; /* in `beside` */
 } folder_out;
 
 /*
- * Makes it, with files of these names, up to the first NULL. What stands under the name already is refused. Returns an exit_code.
+ * Makes it, with files of these names, up to the first NULL. What stands under the name already is refused. told: NULL, or what
+ * messages call one that is never kept, but used where it is. Returns an exit_code.
  */
-int folder_out_open(folder_out *out, const char *path, const char *const names[FOLDER_FILES]);
+int folder_out_open(folder_out *out, const char *path, const char *told, const char *const names[FOLDER_FILES]);
+
+/* Writes out all that is pending; the folder stays where it is until it is dropped. Returns an exit_code. */
+int folder_out_finish(folder_out *out);
 
 /* Writes out all that is pending and gives the folder its name. Returns an exit_code; on failure nothing is left. */
 int folder_out_keep(folder_out *out);
