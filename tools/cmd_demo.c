@@ -22,7 +22,7 @@
 
 static const char help[] = "tribox demo - speed and answers on two built-in scenes; needs no file\n"
                            "\n"
-                           "Usage: tribox demo [--quick] [--picture FILE.png]\n"
+                           "Usage: tribox demo [OPTION...]\n"
                            "\n"
                            "Tests 100,000 random triangles (the paper's experiment) and a mesh of 200,000 triangles, each\n"
                            "against a box: with the paper's own algorithm, and with every kernel that runs here, from nine\n"
@@ -31,6 +31,7 @@ static const char help[] = "tribox demo - speed and answers on two built-in scen
                            "  --quick              3 rounds instead of 15: for a first look\n"
                            "  --picture FILE.png   where the picture of the voxels goes; default: tribox-demo.png, or no\n"
                            "                       picture with --quick\n"
+                           "  -q, --quiet          print no progress\n"
                            "  --help               this text\n"
                            "\n"
                            "ns/triangle is the median of the rounds, on one thread; x paper, how many times as fast as the\n"
@@ -45,13 +46,15 @@ static const char help[] = "tribox demo - speed and answers on two built-in scen
 enum { ROUNDS = 15, QUICK_ROUNDS = 3, VOXEL_ROUNDS = 5, RESOLUTION = 128 };
 
 typedef struct request {
-    bool is_quick;
+    bool is_quick, is_quiet;
     const char *picture_path; /* NULL for none */
     file_out picture;
 } request;
 
-static const option_entry options[] = {
-    {"quick", 0, OPTION_SETS(request, is_quick)}, {"picture", 0, OPTION_NAMES(request, picture_path)}, {NULL, 0, false}};
+static const option_entry options[] = {{"quick", 0, OPTION_SETS(request, is_quick)},
+                                       {"quiet", 'q', OPTION_SETS(request, is_quiet)},
+                                       {"picture", 0, OPTION_NAMES(request, picture_path)},
+                                       {NULL, 0, false}};
 
 /* ---- scenes ------------------------------------------------------------------------------------------------------------------ */
 

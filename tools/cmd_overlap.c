@@ -35,6 +35,7 @@ static const char help[] =
     "  -l, --list              print the numbers of the overlapping triangles, from 0, and nothing\n"
     "                          else; with --boxes it needs --json\n"
     "  -j, --json              print a JSON object, one per line with --boxes\n"
+    "  -q, --quiet             print no progress, and with -o or --rest no summary\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n" OPTIONS_TEST_HELP
     "      --order NUMBER      order of the groups, 1 box, 2 plane, 3 edges; changes only the time\n" OPTIONS_HELP_HELP "\n"
     "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
@@ -73,6 +74,7 @@ static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
                                        {"inside", 0, OPTION_SETS(request, wants_inside)},
                                        {"list", 'l', OPTION_SETS(request, wants_list)},
                                        {"json", 'j', OPTION_SETS(request, wants_json)},
+                                       {"quiet", 'q', OPTION_SETS(request, is_quiet)},
                                        {"out", 'o', OPTION_NAMES(request, crop_paths[CROP_PART])},
                                        {"rest", 0, OPTION_NAMES(request, crop_paths[CROP_REST])},
                                        {NULL, 0, false}};
@@ -133,15 +135,17 @@ static bool is_stdout(const char *path) { return path && file_out_is_stdout(path
 static int check_crop(request *r)
 {
     const bool is_part = is_stdout(r->crop_paths[CROP_PART]), is_rest = is_stdout(r->crop_paths[CROP_REST]);
-    r->has_report = !is_part && !is_rest;
-    if (!r->crop_paths[CROP_PART] && !r->crop_paths[CROP_REST])
+    const bool is_free = !is_part && !is_rest, is_crop = r->crop_paths[CROP_PART] || r->crop_paths[CROP_REST];
+    r->has_report = is_free && !(is_crop && r->is_quiet);
+    if (!is_crop)
         return EXIT_CODE_OK;
     if (r->boxes_path)
         return message_usage("-o and --rest write the faces about one box: give --box or --oriented in place of --boxes");
     if (!strcmp(r->mesh_path, "-"))
         return message_usage("-o and --rest need the mesh as a file, since it is read twice");
-    if (r->has_report)
-        return EXIT_CODE_OK;
+    if (is_free)
+        return r->is_quiet && r->wants_json ? message_usage("--json and --quiet exclude each other with -o and --rest")
+                                            : EXIT_CODE_OK;
     const char *const option = is_part ? "-o" : "--rest";
     if (is_part && is_rest)
         return message_usage("-o and --rest cannot both go to standard output; give one of them a name");

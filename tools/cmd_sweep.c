@@ -39,6 +39,7 @@ static const char help[] = "tribox sweep - which order of the axes is fastest fo
                            "  --quick                   5 rounds, for a first look\n"
                            "  -v, --verbose             also the tables: the times of all, and which axis rejects what\n"
                            "  -j, --json                a JSON object, with the times of all rounds\n"
+                           "  -q, --quiet               print no progress\n"
                            "  --chart FILE.svg          draws nanoseconds by order, for each kernel and accuracy\n"
                            "  -h, --help                this text\n"
                            "\n"
@@ -58,7 +59,7 @@ typedef struct request {
     mesh_shift shift;
     sweep_wish wish;
     int wishes; /* options that say what to test against */
-    bool is_quick, wants_json, wants_tables;
+    bool is_quick, is_quiet, wants_json, wants_tables;
 } request;
 
 enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_SHIFT, OPTION_CHART };
@@ -69,6 +70,7 @@ static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
                                        [OPTION_SHIFT] = {"shift", 0, true},
                                        [OPTION_CHART] = {"chart", 0, true},
                                        {"quick", 0, OPTION_SETS(request, is_quick)},
+                                       {"quiet", 'q', OPTION_SETS(request, is_quiet)},
                                        {"verbose", 'v', OPTION_SETS(request, wants_tables)},
                                        {"json", 'j', OPTION_SETS(request, wants_json)},
                                        {NULL, 0, false}};
@@ -183,7 +185,7 @@ static void print_json(const findings *f)
 static int find(findings *f)
 {
     generator turns = {1};
-    if (terminal_is(stderr))
+    if (terminal_is(stderr) && !f->r->is_quiet)
         message_say("timing %zu pairs", f->work->pairs);
     const effort how = {.rounds = SWEEP_ROUNDS, .seconds = f->r->is_quick ? 0 : 2, .sample = 5e-4};
     const char *const failure = sweep_run(&f->s, f->work, how, &turns);

@@ -415,8 +415,9 @@ class Progress(Files):
                 if "reading" in shown:
                     break
             self.assertRegex(shown, r"\A(\rreading \[#*\.*\] +\d+ %  [^\r\n]*)+\r +\r")
-            self.assertEqual(self.on_terminal("voxelize", mesh, "-r", "8", "-t", "1", "-q", "-o", self.path("x.npy"),
-                                              meanwhile=rest(seconds)), "")
+            for words in (("voxelize", mesh, "-r", "8", "-o", self.path("x.npy")),
+                          ("overlap", mesh, "--box", UNIT_BOX, "--shift", "0,0,0")):
+                self.assertEqual(self.on_terminal(*words, "-t", "1", "-q", meanwhile=rest(seconds)), "")
 
 
 del Voxels  # whose own tests are of another script

@@ -9,15 +9,15 @@ from harness import UNIT_BOX, UNIT_ORIENTED
 
 OPTIONS = {
     "overlap": "--format --shift --box --boxes --oriented --inside --out --rest --list --json --accuracy --axes --order --kernel "
-               "--threads --help",
+               "--threads --quiet --help",
     "voxelize": "--resolution --cell --origin --size --format --shift --out --out-format --deflate --vdb-grid --preview --up "
                 "--picture-size --json --quiet --memory --threads --shard --count --thin --fill --labels --inside-only --colours "
                 "--ids --accuracy --axes --kernel --help",
     "merge": "--out --out-format --preview --up --picture-size --threads --json --quiet --help",
     "partition": "--format --shift --resolution --cell --origin --size --out --memory --threads --json --quiet --help",
     "info": "--out --json --quiet --help",
-    "demo": "--quick --picture --help",
-    "sweep": "--octree --grid --box --quick --verbose --json --chart --help",
+    "demo": "--quick --quiet --picture --help",
+    "sweep": "--octree --grid --box --quick --quiet --verbose --json --chart --help",
 }
 A, B, V, CELL = ("a.obj",), ("a.obj", "--box", UNIT_BOX), ("a.obj", "-r", "8", "-o", "x.npz"), ("a.obj", "--cell", "1")
 FILL = (*CELL, "--fill", "outside")
@@ -54,6 +54,7 @@ WRONG = {
         ("-o and --rest need the mesh as a file", "-", "--box", UNIT_BOX, "--format", "stl", "-o", "x.stl"),
         ("-o and --rest cannot both go to standard output", *B, "-o", "-", "--rest", "-"),
         ("--json and -o - exclude each other", *B, "--json", "-o", "-"),
+        ("--json and --quiet exclude each other with -o and --rest", *B, "-jq", "-o", "x.obj"),
         ("--list and --rest - exclude each other", *B, "--list", "--rest", "-"),
     ],
     "voxelize": [
@@ -270,6 +271,16 @@ class Right(harness.TestCase):
         self.assertEqual(self.succeed("overlap", "-lb", UNIT_BOX, "--", self.mesh), expected)
         self.write("--json", harness.read(self.mesh) + b"f 1 1 1\n")
         self.assertEqual(self.succeed("overlap", "-lb", UNIT_BOX, "--", "--json", cwd=self.folder), "0\n1\n")
+
+    def test_quiet(self):
+        """Every command takes it; what was asked for is printed all the same, and of a file that is written nothing."""
+        self.assertEqual(self.succeed("overlap", self.mesh, "-lqb", UNIT_BOX), "0\n")
+        self.assertEqual(self.overlap(self.mesh, UNIT_BOX, "-q")["indices"], [0])
+        self.assertIn("triangles overlap", self.succeed("overlap", self.mesh, "--quiet", "--boxes", "-", stdin=b"0 0 0 1 1 1"))
+        self.assertEqual(self.succeed("overlap", self.mesh, "-qb", UNIT_BOX, "-o", self.path("x.obj")), "")
+        self.assertEqual(self.succeed("info", "-q"), self.succeed("info"))
+        self.assertTrue(self.succeed("sweep", self.mesh, "--quick", "--quiet", "--box", UNIT_BOX))
+        self.assertTrue(self.succeed("demo", "--quick", "-q"))
 
     def test_empty_boxes(self):
         text = self.succeed("overlap", self.mesh, "--box", "0,2,0,1,1,1", "--json",

@@ -8,11 +8,15 @@
 #include "accuracy.h"
 #include "message.h"
 #include "output.h"
+#include "progress.h"
 
 int options_answer(const options_command *of, int count, char **words, void *request)
 {
     options_found found;
     const int code = options_read(count, words, of->table, of->take, request, &found);
+    for (int i = 0; !code && of->table[i].name; i++)
+        if (options_has(&found, i) && !strcmp(of->table[i].name, "quiet"))
+            progress_silence();
     return code ? code : found.wants_help ? output_text(of->help) : of->answer(request, &found);
 }
 

@@ -11,9 +11,13 @@
 enum { WIDTH = 30, WIDTH_BESIDE_UNIT = 12, LINE = 79 };
 static const double first_after = 0.7, again_after = 0.1;
 
+static bool is_silent;
+
+void progress_silence(void) { is_silent = true; }
+
 progress progress_start(const char *what, bool is_wanted)
 {
-    return (progress){.what = what, .is_wanted = is_wanted && terminal_is(stderr), .start = clock_seconds()};
+    return (progress){.what = what, .is_wanted = is_wanted && !is_silent && terminal_is(stderr), .start = clock_seconds()};
 }
 
 progress progress_start_of(const char *what, const char *unit, double total, bool is_wanted)

@@ -13,6 +13,9 @@ typedef struct progress {
 } progress;
 
 /* Starts a bar on standard error, which shows nothing unless that is a terminal and is_wanted. */
+/* From now on there are no bars at all. */
+void progress_silence(void);
+
 progress progress_start(const char *what, bool is_wanted);
 
 /* The same, which also shows how many of what are done, and how many in a second. */

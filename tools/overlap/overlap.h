@@ -20,10 +20,10 @@ typedef struct request {
     tribox_oriented_box oriented; /* with --oriented */
     bool has_oriented;
     tribox_options test;
-    bool wants_inside, wants_list, wants_json;
+    bool wants_inside, wants_list, wants_json, is_quiet;
     uint32_t threads;
     const char *crop_paths[CROP_SIDES]; /* with -o and --rest, else NULL */
-    bool has_report;                    /* standard output is free for it */
+    bool has_report;                    /* standard output is free for it, and it is wanted */
 } request;
 
 /* A bit per triangle: which overlap and, with --inside, which of these lie inside; else `inside` is NULL. */
