@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "console/known_word.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "console/options.h"
@@ -93,11 +94,12 @@ static int read_shard(const char *text, uint32_t *shard, uint32_t *shards)
 
 static int read_fill(const char *word, voxelize_fill *fill)
 {
-    *fill = !strcmp(word, "outside")   ? FILL_OUTSIDE
-            : !strcmp(word, "parity")  ? FILL_PARITY
-            : !strcmp(word, "middles") ? FILL_MIDDLES
-                                       : FILL_NONE;
-    return *fill != FILL_NONE ? EXIT_CODE_OK : message_usage("--fill: '%s' is none of outside, parity and middles", word);
+    static const voxelize_fill fills[] = {FILL_OUTSIDE, FILL_PARITY, FILL_MIDDLES};
+    unsigned n;
+    const int code = choice_read("--fill", word, strlen(word), "outside parity middles", NULL, &n);
+    if (!code)
+        *fill = fills[n];
+    return code;
 }
 
 static int take(void *request, int which, const char *value)

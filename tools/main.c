@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cmd.h"
+#include "console/known_word.h"
 #include "console/message.h"
 #include "console/output.h"
 #include "console/system.h"
@@ -50,7 +51,13 @@ static int run_command(int count, char **words)
             message_set_command(words[0]);
             return commands[i].run(count, words);
         }
-    return message_usage(words[0][0] == '-' ? "unknown option '%s'" : "'%s' is not a command", words[0]);
+    if (words[0][0] == '-')
+        return message_usage("unknown option '%s'", words[0]);
+    char text[GUESS_TEXT];
+    guess g = guess_at(words[0], strlen(words[0]));
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
+        guess_try(&g, commands[i].name, strlen(commands[i].name));
+    return message_usage("'%s' is not a command%s", words[0], guess_text(&g, "", text));
 }
 
 int main(int count, char **given)

@@ -46,7 +46,7 @@ WRONG = {
         ("--inside goes with --box or --boxes", *A, "--oriented", UNIT_ORIENTED, "--inside", "-o", "x.obj"),
         *(("--oriented is exact with all axes or with --axes box", *A, "--axes", axes, "--oriented", UNIT_ORIENTED)
           for axes in ("plane", "edges", "box,plane", "box,edges", "edges,plane")),
-        *(("%s: '.*' (is none of|is neither|does not run here;) .*" % option, *B, option, value) for option, values in (
+        *(("%s: '.*' is none of .*" % option, *B, option, value) for option, values in (
             ("--accuracy", ("", "Exact", "exactly", "e")), ("--axes", ("", "box,", ",box", "box,planes", "box plane", "all")),
             ("--order", ("", "0", "12", "1234", "322", "3 1 2")), ("--kernel", ("", "AVX2", "avx", "best")),
             ("--format", ("", "STL", "ply", "f16", ".stl"))) for value in values),
@@ -92,12 +92,18 @@ WRONG = {
         ("--json and -o - exclude", *CELL, "-o", "-", "--out-format", "raw", "--json"),
         ("--deflate is for .npz alone", *CELL, "-o", "x.npy", "--deflate"),
         ("--vdb-grid is for .vdb alone", *V, "--vdb-grid", "mask"),
-        ("--vdb-grid: 'float' is neither bool nor mask", *CELL, "-o", "x.vdb", "--vdb-grid", "float"),
+        ("--vdb-grid: 'float' is none of bool, mask;", *CELL, "-o", "x.vdb", "--vdb-grid", "float"),
         *(("--count only prints: leave out " + option, *CELL, "--count", *words) for option, *words in (
             ("--out", "-o", "x.npz"), ("--preview", "-p", "x.png"), ("--quiet", "-q"),
             ("--labels", "--fill", "outside", "--labels"),
             ("--ids", "--ids"), ("--colours", "--colours"))),
-        ("--fill: 'inside' is none of outside, parity and middles", *CELL, "--fill", "inside"),
+        ("--fill: 'inside' is none of outside, parity, middles;", *CELL, "--fill", "inside"),
+        *((r"--fill: '%s' is none of .* \(did you mean '%s'\?\);" % words, *CELL, "--fill", words[0])
+          for words in (("pa", "parity"), ("partiy", "parity"), ("Outside", "outside"), ("midle", "middles"))),
+        *((r"unknown option '%s' \(did you mean '--%s'\?\);" % words, *CELL, words[0]) for words in (
+            ("--colr", "colours"), ("--tihn=1", "thin"), ("--resolutoin", "resolution"), ("--quit", "quiet"))),
+        ("unknown option '--brightness';", *CELL, "--brightness"),
+        ("option --colours is given twice", *CELL, "--colors", "--colours"), ("option --colours takes no v", *CELL, "--color=1"),
         *(("%s needs all cells at once: leave out --shard" % option, *V, "--shard", "1/2", option, *word)
           for option, *word in (("--fill", "outside"), ("--thin",), ("--colours",))),
         *(("--thin is exact and of all axes", *V, "--thin", *way) for way in (("--accuracy", "fast"), ("--axes", "box"))),
@@ -224,9 +230,11 @@ class Help(harness.TestCase):
 
 class Wrong(harness.TestCase):
     def test_program(self):
-        for pattern, *words in (("no command given; see 'tribox --help'",), ("'overlay' is not a command;", "overlay"),
+        for pattern, *words in (("no command given; see 'tribox --help'",), ("'overlay' is not a command", "overlay"),
                                 ("unknown option '--quick';", "--quick", "demo"),
-                                ("'overlay' is not a command;", "help", "overlay")):
+                                (r"'voxelise' is not a command \(did you mean 'voxelize'\?\);", "voxelise"),
+                                (r"'part' is not a command \(did you mean 'partition'\?\);", "part"),
+                                ("'overlay' is not a command", "help", "overlay")):
             self.fail_with(2, "^tribox: " + pattern, *words)
 
     def test_commands(self):
@@ -249,7 +257,7 @@ class Wrong(harness.TestCase):
         with open(os.path.join(os.path.dirname(__file__), "..", "..", "src", "kernels.txt"), encoding="utf-8") as file:
             kernels = re.findall(r"(?m)^(\w+) \w+$", file.read())
         for kernel in set(kernels) - {*here, "wasm128"}:
-            message = "--kernel: '%s' does not run here; choose one of %s" % (kernel, ", ".join(here))
+            message = r"--kernel: '%s' is none of %s \(what runs here\)" % (kernel, ", ".join(here))
             self.refuse(2, "overlap", [(message, *B, "--kernel", kernel)])
 
 

@@ -4,6 +4,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "known_word.h"
+
 static const struct {
     const char *word;
     tribox_accuracy accuracy;
@@ -17,12 +19,11 @@ const char *accuracy_word(tribox_accuracy accuracy)
     return accuracies[i].word;
 }
 
-bool accuracy_of_word(const char *word, tribox_accuracy *accuracy)
+int accuracy_read(const char *text, tribox_accuracy *accuracy)
 {
-    for (size_t i = 0; i < sizeof accuracies / sizeof accuracies[0]; i++)
-        if (!strcmp(word, accuracies[i].word)) {
-            *accuracy = accuracies[i].accuracy;
-            return true;
-        }
-    return false;
+    unsigned n;
+    const int code = choice_read("--accuracy", text, strlen(text), "exact conservative fast", NULL, &n);
+    if (!code)
+        *accuracy = accuracies[n].accuracy;
+    return code;
 }

@@ -2,13 +2,11 @@
 #ifndef ACCURACY_H
 #define ACCURACY_H
 
-#include <stdbool.h>
-
 #include "tribox.h"
 
 const char *accuracy_word(tribox_accuracy accuracy);
 
-/* The accuracy that the word stands for. False if it is none of these. */
-bool accuracy_of_word(const char *word, tribox_accuracy *accuracy);
+/* Reads what --accuracy has. Returns an exit_code. */
+int accuracy_read(const char *text, tribox_accuracy *accuracy);
 
 #endif

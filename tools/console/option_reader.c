@@ -5,17 +5,29 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "known_word.h"
 #include "message.h"
 
 static bool has_value(const option_entry *entry) { return entry->takes % 2; }
 
 /* getopt_long returns FIRST + i for the long form of option i, its letter for the short one, and OPERAND. */
-enum { TABLE_MAX = 64, OPERAND = 1, FIRST = 256 };
+enum { TABLE_MAX = 64, NAME_MAX_BYTES = 32, OPERAND = 1, FIRST = 256 };
 
 typedef struct getopt_tables {
     char letters[2 * TABLE_MAX + 4];
-    struct option names[TABLE_MAX + 2];
+    struct option names[2 * TABLE_MAX + 2];
+    char respelled[TABLE_MAX][NAME_MAX_BYTES];
 } getopt_tables;
+
+/* "colors" of "colours": whoever writes so means the same. */
+static const char *respell(const char *name, char to[NAME_MAX_BYTES])
+{
+    const char *const colour = strstr(name, "colour");
+    if (!colour || strlen(name) >= NAME_MAX_BYTES)
+        return NULL;
+    snprintf(to, NAME_MAX_BYTES, "%.*s%s", (int)(colour + 4 - name), name, colour + 5);
+    return to;
+}
 
 static void make_tables(const option_entry *table, getopt_tables *made)
 {
@@ -24,7 +36,10 @@ static void make_tables(const option_entry *table, getopt_tables *made)
     *letter++ = '-'; /* operands come in their order */
     *letter++ = ':'; /* a missing value differs from an unknown option, and getopt_long prints nothing */
     for (int i = 0; table[i].name; i++) {
-        *name++ = (struct option){table[i].name, has_value(&table[i]) ? required_argument : no_argument, NULL, FIRST + i};
+        const struct option own = {table[i].name, has_value(&table[i]) ? required_argument : no_argument, NULL, FIRST + i};
+        *name++ = own;
+        if (respell(own.name, made->respelled[i]))
+            *name++ = (struct option){made->respelled[i], own.has_arg, own.flag, own.val};
         if (table[i].letter)
             *letter++ = table[i].letter;
         if (table[i].letter && has_value(&table[i]))
@@ -62,6 +77,18 @@ static int count_beginning(const option_entry *table, const char *word)
     return count;
 }
 
+/* Without a guess where more than one begins so. */
+static int refuse_long(const option_entry *table, const char *word)
+{
+    char text[GUESS_TEXT];
+    if (count_beginning(table, word) > 1)
+        return message_usage("option '%s' is ambiguous; write more of it", word);
+    guess g = guess_at(word + 2, strcspn(word + 2, "="));
+    for (int i = 0; table[i].name; i++)
+        guess_try(&g, table[i].name, strlen(table[i].name));
+    return message_usage("unknown option '%s'%s", word, guess_text(&g, "--", text));
+}
+
 /* number: the option in question, 0 for a long one that is not in the table. */
 static int refuse_unknown(const option_entry *table, int number, const char *word)
 {
@@ -69,8 +96,7 @@ static int refuse_unknown(const option_entry *table, int number, const char *wor
         return refuse_option(table, number, "takes no value");
     if (number)
         return message_usage("unknown option '-%c'", number);
-    return message_usage(count_beginning(table, word) > 1 ? "option '%s' is ambiguous; write more of it" : "unknown option '%s'",
-                         word);
+    return refuse_long(table, word);
 }
 
 /* A value is missing or, as some getopt_long call that as well, too much. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "accuracy.h"
+#include "known_word.h"
 #include "message.h"
 #include "output.h"
 #include "progress.h"
@@ -28,12 +29,6 @@ int options_take_mesh(const char *operand, const char **mesh_path)
     return EXIT_CODE_OK;
 }
 
-static int read_accuracy(const char *text, tribox_accuracy *accuracy)
-{
-    return accuracy_of_word(text, accuracy) ? EXIT_CODE_OK
-                                            : message_usage("--accuracy: '%s' is none of exact, conservative, fast", text);
-}
-
 static const struct {
     const char *word;
     unsigned bit;
@@ -45,23 +40,15 @@ const char *options_axes_word(int i, unsigned *bit)
     return axes_groups[i].word;
 }
 
-static unsigned find_axes(const char *word, size_t length)
-{
-    for (int i = 0; i < OPTIONS_AXES_GROUPS; i++)
-        if (strlen(axes_groups[i].word) == length && !memcmp(axes_groups[i].word, word, length))
-            return axes_groups[i].bit;
-    return 0;
-}
-
 static int read_axes(const char *text, unsigned *axes)
 {
     *axes = 0;
     for (const char *word = text;; word++) {
         const size_t length = strcspn(word, ",");
-        const unsigned bit = find_axes(word, length);
-        if (!bit)
-            return message_usage("--axes: '%.*s' is none of box, plane, edges", (int)length, word);
-        *axes |= bit;
+        unsigned n;
+        if (choice_read("--axes", word, length, "box plane edges", NULL, &n))
+            return EXIT_CODE_USAGE;
+        *axes |= axes_groups[n].bit;
         word += length;
         if (!*word)
             return EXIT_CODE_OK;
@@ -70,34 +57,32 @@ static int read_axes(const char *text, unsigned *axes)
 
 static int read_order(const char *text, unsigned *order)
 {
-    static const struct {
-        const char *word;
-        unsigned order;
-    } orders[] = {{"123", 123}, {"132", 132}, {"213", 213}, {"231", 231}, {"312", 312}, {"321", 321}};
-    for (size_t i = 0; i < sizeof orders / sizeof orders[0]; i++)
-        if (!strcmp(text, orders[i].word)) {
-            *order = orders[i].order;
-            return EXIT_CODE_OK;
-        }
-    return message_usage("--order: '%s' is none of 123, 132, 213, 231, 312, 321", text);
+    static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
+    unsigned n;
+    const int code = choice_read("--order", text, strlen(text), "123 132 213 231 312 321", NULL, &n);
+    if (!code)
+        *order = orders[n];
+    return code;
 }
 
 static int read_kernel(const char *text, const char **kernel)
 {
     char list[128] = "";
-    for (size_t i = 0; (*kernel = tribox_kernel_list(i)) != NULL; i++) {
-        if (!strcmp(text, *kernel))
-            return EXIT_CODE_OK;
+    unsigned n;
+    for (size_t i = 0; tribox_kernel_list(i); i++) {
         const size_t length = strlen(list);
-        snprintf(list + length, sizeof list - length, "%s%s", i ? ", " : "", *kernel);
+        snprintf(list + length, sizeof list - length, "%s%s", i ? " " : "", tribox_kernel_list(i));
     }
-    return message_usage("--kernel: '%s' does not run here; choose one of %s", text, list);
+    const int code = choice_read("--kernel", text, strlen(text), list, " (what runs here)", &n);
+    if (!code)
+        *kernel = tribox_kernel_list(n);
+    return code;
 }
 
 int options_read_test(const char *name, const char *value, tribox_options *test)
 {
     if (!strcmp(name, "accuracy"))
-        return read_accuracy(value, &test->accuracy);
+        return accuracy_read(value, &test->accuracy);
     if (!strcmp(name, "axes"))
         return read_axes(value, &test->axes);
     if (!strcmp(name, "order"))

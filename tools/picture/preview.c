@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "console/interrupt.h"
+#include "console/known_word.h"
 #include "console/message.h"
 #include "console/numbers.h"
 
@@ -27,12 +28,11 @@ const char *preview_up_word(picture_up up) { return up_words[up]; }
 
 int preview_read_up(const char *text, picture_up *up)
 {
-    for (int i = 0; i < 6; i++)
-        if (!strcmp(text, up_words[i])) {
-            *up = (picture_up)i;
-            return EXIT_CODE_OK;
-        }
-    return message_usage("--up: '%s' is none of x, y, z, -x, -y, -z", text);
+    unsigned n;
+    const int code = choice_read("--up", text, strlen(text), "x y z -x -y -z", NULL, &n);
+    if (!code)
+        *up = (picture_up)n;
+    return code;
 }
 
 int preview_read_size(const char *text, picture_look *look)

@@ -5,13 +5,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/known_word.h"
 #include "console/message.h"
 #include "console/system.h"
 
 static int read_vdb_grid(const char *word, bool *is_mask)
 {
-    *is_mask = !strcmp(word, "mask");
-    return *is_mask || !strcmp(word, "bool") ? EXIT_CODE_OK : message_usage("--vdb-grid: '%s' is neither bool nor mask", word);
+    unsigned n;
+    const int code = choice_read("--vdb-grid", word, strlen(word), "bool mask", NULL, &n);
+    *is_mask = n;
+    return code;
 }
 
 int result_take(result_request *r, int which, const char *value)

@@ -4,13 +4,16 @@
 #include <string.h>
 
 #include "brick_out.h"
-#include "console/written_number.h"
+#include "console/known_word.h"
 #include "console/message.h"
+#include "console/written_number.h"
 
 const volume_writer volume_raw = {.frame = &(const volume_frame){.has_words = true}};
 
 #define FORMAT(word, ...) {#word, __VA_ARGS__, &volume_##word},
 static const volume_format formats[] = {VOLUME_FORMATS(FORMAT)};
+
+#define WORD(word, ...) #word " "
 
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 
@@ -51,11 +54,8 @@ const char *volume_kind(const volume_format *format)
 
 const volume_format *volume_format_named(const char *word)
 {
-    for (size_t i = 0; i < FORMATS; i++)
-        if (!strcmp(word, formats[i].word))
-            return &formats[i];
-    message_usage("--out-format: '%s' is none of %s", word, volume_words(NULL).text);
-    return NULL;
+    unsigned n;
+    return choice_read("--out-format", word, strlen(word), VOLUME_FORMATS(WORD), NULL, &n) ? NULL : &formats[n];
 }
 
 const volume_format *volume_format_of(const char *path)
