@@ -191,7 +191,12 @@ class Answers(Voxels):
                 mesh, "24", "8 x 8 x 8 cells of 0.5, from -2,-2,-2", "%d cells (%.4g %%)" % (cells, 100 * cells / 512), out])
             self.assertRegex(fields["test"], r"^exact, axes box,plane,edges, kernel \w+, 1 thread$")
             self.assertRegex(fields["time"], r"^[\d.]+ ms \(the voxelization alone\)$")
-            self.assertEqual(fields.get("place"), None if has_place else "not in the file: keep origin and cell")
+            self.assertEqual(fields.get("place"), None if has_place else "not in the file: keep origin and cell, which --json "
+                             "prints with all digits")
+            self.assertNotIn("undecided", fields)
+        thirds = ("voxelize", mesh, "-c", "0.333333333333", "--origin=-2.0123456789,-3,-2", "--count")
+        self.assertRegex(self.succeed(*thirds), r"\ngrid .* of 0.333333, from -2.01235,-3,-2\n")
+        self.assertEqual(self.ask(*thirds)["grid"]["origin"], [-2.0123456789, -3, -2])
         many = self.succeed("voxelize", mesh, "--cell", "0.05,0.05,0.1", "--origin", "0,0,0", "-o", self.path("m.npy"))
         self.assertRegex(many, r"\ngrid +\d+ x \d+ x \d+ cells of 0.05 x 0.05 x 0.1, from 0,0,0\n")
         self.assertRegex(many, r"\ntime         [\d.]+ m?s, [\d.]+ (thousand|million|billion) cells a second "

@@ -82,7 +82,6 @@ static void print_summary(const request *r, const answer *a)
         print_share("straddling", a, a->overlapping - a->inside);
         print_share("missing", a, a->triangles - a->overlapping);
     }
-    printf("undecided    %" PRIu64 "\n", a->undecided);
     printf("test         %s, axes ", accuracy_word(r->test.accuracy));
     output_axes(r->test.axes);
     printf(", kernel %s\n", tribox_kernel_name(&r->test));
@@ -114,7 +113,6 @@ static void print_line(const request *r, const answer *a)
     printf(": %" PRIu64 " of %" PRIu64 " triangles overlap (%.2f %%), ", a->overlapping, a->triangles, percent(a, a->overlapping));
     if (r->wants_inside)
         printf("%" PRIu64 " inside, ", a->inside);
-    printf("%" PRIu64 " undecided, ", a->undecided);
     if (a->stage == INDEX_NONE)
         printf("%.2f ns per triangle\n", ns_per_triangle(a));
     else

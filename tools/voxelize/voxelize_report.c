@@ -35,15 +35,12 @@ static void print_time(const voxelize_answer *a)
 void voxelize_print_grid(const voxels *v, bool is_shifted)
 {
     const tribox_grid *const grid = &v->grid;
-    char side[DECIMAL_MAX];
     printf("grid         %u x %u x %u cells of ", grid->size[0], grid->size[1], grid->size[2]);
     if (grid->cell[0] == grid->cell[1] && grid->cell[1] == grid->cell[2])
-        printf("%s", decimal_of_double(grid->cell[0], side));
+        printf("%.6g", grid->cell[0]);
     else
-        output_point(grid->cell, false, " x ");
-    printf(", from ");
-    output_point(grid->origin, false, ",");
-    putchar('\n');
+        printf("%.6g x %.6g x %.6g", grid->cell[0], grid->cell[1], grid->cell[2]);
+    printf(", from %.6g,%.6g,%.6g\n", grid->origin[0], grid->origin[1], grid->origin[2]);
     if (!is_shifted)
         return;
     printf("shift        ");
@@ -67,7 +64,7 @@ void voxelize_print_written(const char *path, bool lacks_place)
 {
     printf("written      %s\n", path);
     if (lacks_place)
-        printf("place        not in the file: keep origin and cell\n");
+        printf("place        not in the file: keep origin and cell, which --json prints with all digits\n");
 }
 
 void voxelize_print_preview(const char *path, const char *up) { printf("preview      %s\nup           %s\n", path, up); }
@@ -116,7 +113,6 @@ static void print_summary(const voxelize_answer *a)
         printf(", tiles of %u", a->tile);
     if (a->has_bricks)
         putchar('\n');
-    printf("undecided    %zu\n", a->report.undecided);
     printf("test         %s, axes ", accuracy_word(r->test.accuracy));
     output_axes(r->test.axes);
     printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&r->test), r->threads, r->threads == 1 ? "" : "s");
