@@ -14,8 +14,10 @@ Workers import shards.py: on other machines it has to be on their PYTHONPATH.
 import argparse
 import contextlib
 import faulthandler
+import logging
 import os
 import shutil
+import subprocess
 import sys
 
 import numpy as np
@@ -80,11 +82,33 @@ def run(each, mesh, resolution, count, jobs, ids):
     return sum(each(store, [(part, f"{jobs}/cells", side, ids) for part in parts]))
 
 
+def attempt(task, *call):
+    """What it returns, or the error of the program, which has said why, and would again. If it was killed that is raised."""
+    try:
+        return task(*call)
+    except subprocess.CalledProcessError as error:
+        if error.returncode < 0:
+            raise
+        return error
+
+
 def told(task, ends, count):
-    """The ends of a task's calls as they come, counted on stderr."""
+    """The ends of a task's calls as they come, counted on stderr: in one line of a terminal, else in lines."""
+    has_lines = not sys.stderr.isatty()
     for n, end in enumerate(ends, 1):
-        print(f"\r{task.__name__}: {n} of {count}", end="\n" if n == count else "", file=sys.stderr, flush=True)
+        print(f"{task.__name__}: {n} of {count}", end="\n" if has_lines or n == count else "\r", file=sys.stderr, flush=True)
         yield end
+
+
+def checked(ends):
+    """The ends, unless one is an error."""
+    if any(isinstance(end, Exception) for end in ends):
+        sys.exit(1)
+    return ends
+
+
+def one_by_one(task, calls):
+    return checked(list(told(task, (attempt(task, *call) for call in calls), len(calls))))
 
 
 @contextlib.contextmanager
@@ -94,15 +118,16 @@ def dask(workers):
     client = Client(cluster)
 
     def each(task, calls):
-        futures = [client.submit(task, *call, retries=3, pure=False) for call in calls]
+        futures = [client.submit(attempt, task, *call, retries=3, pure=False) for call in calls]
         for _ in told(task, as_completed(futures), len(futures)):
             pass
-        return client.gather(futures)
+        return checked(client.gather(futures))
 
     try:
         cluster.scale(workers)
         yield each
     finally:
+        logging.getLogger("distributed.nanny").setLevel(logging.ERROR)  # that a worker is slow to end, and killed, is no news
         for part in client, cluster:  # which do not end either where a worker died on its way
             with contextlib.suppress(Exception):
                 part.close(timeout=5)
@@ -123,8 +148,7 @@ def main():
         parser.error(f"{options.out} exists")
     mesh, jobs = os.path.abspath(options.mesh), os.path.abspath(options.out) + ".jobs"
     shards.take_up(jobs, mesh, options.resolution, options.shards, *["--ids"] * options.ids)
-    here = contextlib.nullcontext(lambda task, calls: list(told(task, (task(*call) for call in calls), len(calls))))
-    with dask(options.workers) if options.workers else here as each:
+    with dask(options.workers) if options.workers else contextlib.nullcontext(one_by_one) as each:
         cells = run(each, mesh, options.resolution, options.shards, jobs, options.ids)
     os.rename(f"{jobs}/cells", options.out)
     shutil.rmtree(jobs)

@@ -34,7 +34,10 @@ def voxelize(jobs, number, count, ids=False):
 
 def take_up(folder, mesh, *command):
     """Makes the folder of a run, or goes on with that of the same command; refuses another's."""
-    about, path = os.stat(mesh), os.path.join(folder, "command")
+    try:
+        about, path = os.stat(mesh), os.path.join(folder, "command")
+    except OSError as error:
+        raise SystemExit(f"{mesh}: {error.strerror}") from None
     line = " ".join(map(str, (os.path.realpath(mesh), about.st_size, about.st_mtime_ns, *command)))
     os.makedirs(folder, exist_ok=True)
     if not os.path.exists(path):

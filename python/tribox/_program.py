@@ -81,4 +81,4 @@ def write_by_program(file, write_npz, path, ending):
             write_npz(npz)
         file.close()
         run(f"a file that ends in {ending}", "merge", cells, "--quiet", "--out-format", ending[1:], "--out", file.name,
-            shown_as=(file.name, path), stacklevel=6)
+            shown_as=(file.name, path), stacklevel=8)

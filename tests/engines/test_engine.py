@@ -31,7 +31,8 @@ class Engines(unittest.TestCase):
 
     def run_once(self, **options):
         """How a run ended, and what it printed."""
-        self.log.truncate(0)
+        self.log.seek(0)
+        self.log.truncate()
         how, killed, _ = faults.run(self.engine, LIMIT, self.log, **options)
         self.log.seek(0)
         return how, killed, self.log.read()
@@ -68,6 +69,23 @@ class Engines(unittest.TestCase):
         how, _, said = self.run_once()
         self.assertEqual(how, "error", said)
         self.assertIn("jobs is of another command", said)
+
+    def test_no_mesh(self):
+        """What is no mesh, or not there, is said in one line, with no traceback; and how far a run is in lines of their own."""
+        case, path = self.engine.case, self.engine.case.path
+        self.addCleanup(setattr, case, "path", path)
+        for name, content, why in (("none.ply", None, "none.ply: No such file"), ("bad.ply", b"x\n", "bad.ply: not a PLY file")):
+            case.path = os.path.join(case.folder, name)
+            if content:
+                with open(case.path, "wb") as file:
+                    file.write(content)
+            for self.engine.workers in self.engine.numbers:
+                self.engine.clear()
+                how, _, said = self.run_once()
+                self.assertEqual(how, "error", said)
+                self.assertEqual(said.count(why), 1, said)
+                if self.engine.name == "dask":
+                    self.assertRegex(said, r"\A[^\n]*%s[^\n]*\n(sort: 1 of 1\n)?\Z" % why)
 
     def test_sorted_twice(self):
         """Whoever sorts a mesh that another has sorted meanwhile takes it as it is; a failure is one where it is not there."""
