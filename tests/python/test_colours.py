@@ -1,4 +1,4 @@
-"""examples/colours: cells have the colours of their triangles, of a scene and of a texture."""
+"""examples/colours: cells have the colours of their triangles, of a scene and of a texture; and examples/python."""
 
 import importlib.util
 import os
@@ -35,6 +35,44 @@ class Scene(cases.TestCase):
             expected = {name: int(counts[(found == colour).all(1)][0]) for name, colour in zip(names, kd)}
             self.assertEqual({name: int(cells) for name, cells in printed}, expected)
             self.assertEqual(len(expected), 9)
+
+
+DRAWN = """
+import pathlib, sys
+class Stub:
+    def __getattr__(self, name):
+        return lambda *arguments, **keywords: self
+    def __iter__(self):
+        return iter((self, [self] * 3))
+    def savefig(self, name):
+        pathlib.Path(name).write_text("drawn")
+sys.modules["matplotlib.pyplot"] = pyplot = Stub()
+use = print
+"""
+
+
+class FirstSteps(cases.TestCase):
+    """examples/python."""
+
+    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    def test_example(self):
+        """With a matplotlib and without it runs, and what it prints and writes is of its torus."""
+        for matplotlib, drawn in ("raise ImportError", b"\x89PNG"), (DRAWN, b"draw"):
+            with tempfile.TemporaryDirectory() as folder:
+                with open(os.path.join(folder, "matplotlib.py"), "w") as file:
+                    file.write(matplotlib)
+                environment = {**os.environ, "PYTHONPATH": os.pathsep.join([folder, os.environ.get("PYTHONPATH", "")])}
+                script = os.path.join(EXAMPLES, "..", "python", "first_steps.py")
+                done = subprocess.run([sys.executable, "-B", "-W", "error", script], cwd=folder, capture_output=True, text=True,
+                                      timeout=120, env=environment, check=False)
+                if "without libpng" in done.stderr:
+                    continue
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertRegex(done.stdout, r"(?s)1800 vertices of float32, 3600 faces.*\n\d+ triangles overlap.*'inside': \d+")
+                with open(os.path.join(folder, "torus.png"), "rb") as file:
+                    self.assertEqual(file.read(4), drawn)
+                surface, solid = (tribox.Voxels.load(os.path.join(folder, name)) for name in ("torus.npz", "torus.nrrd"))
+                self.assert_same(np.asarray(surface), solid.labels() == 1)
 
 
 class TextureTests(cases.TestCase):
