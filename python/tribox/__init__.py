@@ -5,6 +5,18 @@
     >>> tribox.overlap(triangles, (-1, -1, -1), (1, 1, 1))
     array([ True, False])
 
+What there is, each with a help() of its own:
+
+    read(path)            the mesh of a file of any format that the program reads
+    overlap, find, overlap_any, overlap_all, classify, overlap_boxes, overlap_oriented, split, crop
+                          triangles and a box, of which OrientedBox is a turned one
+    Index                 many boxes: .list(), .lists(), .count(), .any(), .overlap()
+    voxelize              Voxels: .points(), .cells(), .labels(), .ids, .colors, .inside, .with_colors(), .save(), Voxels.load(),
+                          and all that arrays have; into a Grid, or grid_around() the mesh
+    bricks                Bricks, of grids beyond memory: .points(), .cells(), .voxels(), .save(), Bricks.load()
+    cell_lists            CellLists: all triangles of each cell
+    Mesh, Soup            triangles as the library reads them: what every call takes, once and for many
+
 Triangles are an array of shape (n, 3, 3), a Mesh of vertices and faces, a mesh of trimesh, Open3D, PyVista or meshio, or a Soup of
 nine streams. Coordinates, boxes and cells are in the same unit of length, whichever it is. float32 and float64 are read in place,
 rows and columns alike; lists, whole numbers and other layouts are copied. Nothing is rounded: numbers that cannot be taken as they
@@ -44,14 +56,14 @@ voxelize() returns Voxels, an array of bool that knows its grid. The grid is lai
     array([[0.05, 0.05, 0.05]])
 
 With ids they say which triangle is in a cell, the lowest of several. Attributes of triangles then become attributes of cells by a
-look-up:
+look-up, and colors those of files, as with voxelize(..., colors=colours):
 
     >>> voxels = tribox.voxelize(triangles, resolution=4, ids=True)
     >>> colours = np.array([[255, 0, 0], [0, 0, 255]], np.uint8)    # of each triangle; of trimesh: mesh.visual.face_colors
     >>> voxels.ids
     array([0, 0, 0, 1], dtype=uint32)
-    >>> colours[voxels.ids].shape, voxels.points().shape
-    ((4, 3), (4, 3))
+    >>> voxels.with_colors(colours[voxels.ids]).colors[-1]    # and .save("cells.vox")
+    array([  0,   0, 255], dtype=uint8)
 
 A grid that is too large for memory comes as bricks of 8 x 8 x 8 cells, only those that are not empty:
 
@@ -66,8 +78,9 @@ cell_lists() says which triangles are in which cell, in the order of voxels.cell
     (array([0, 2, 0], dtype=uint32), array([0], dtype=uint32))
     >>> lowest = lists.triangles[lists.start[:-1]]    # one for each cell: colours[lowest] are its colours
 
-Voxels and Bricks have save() and load() for files. Meshes larger than memory, and many machines, are for
-the program: see examples/engines, which run it with Dask, MPI and Slurm.
+read() and some formats of save() run the program tribox, which is found on PATH, or where the environment variable
+TRIBOX_PROGRAM says. Meshes larger than memory, and many machines, are for the program: see examples/engines, which run it with
+Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
 float64. Bounds of boxes and planes of grids are doubles: 0.1 is the double, np.float32(0.1) the float. A Soup holds float32. A

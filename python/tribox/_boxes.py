@@ -8,7 +8,7 @@ from typing import Any, Iterator
 import numpy as np
 
 from ._arguments import DOUBLE, FLOAT, address_of, numbers, three, three_times_three
-from ._errors import InputError, shown
+from ._errors import Brief, InputError, shown
 from ._ffi import ffi
 from ._typing import Frame, Vector
 
@@ -18,7 +18,7 @@ NO_BOX = 1, 1, 1, 0, 0, 0  # the empty box
 
 
 @dataclass(frozen=True, eq=False)
-class OrientedBox:
+class OrientedBox(metaclass=Brief):
     """The closed box of the points p with abs(axis[k] @ (p - center)) <= half[k], for k = 0, 1, 2.
 
     overlap, find, crop and an Index take one in place of lo and hi.

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._arguments import options_of, range_of
-from ._errors import InputError
+from ._errors import Brief, InputError
 from ._files import load_bricks, save_bricks
 from ._grids import Grid, grid_given
 from ._masks import BYTE, WORD, bools, row_words
@@ -29,7 +29,7 @@ BATCH_BYTES, BATCH_MAX = 1 << 20, 1 << 10  # of tiles that are cut into bricks a
 
 
 @dataclass(frozen=True, eq=False)
-class Bricks:
+class Bricks(metaclass=Brief):
     """Bricks of 8 x 8 x 8 cells, those that are not empty. Brick n has the cells 8 * at[n] + (i, j, k), for i, j, k = 0 .. 7.
 
     at: uint32 of shape (n, 3): x, y, z. bits: uint64 of shape (n, 8): bit i + 8 * j of bits[n, k] is that cell. grid: the Grid.

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import _c
 from ._arguments import check, options_of
-from ._errors import InputError
+from ._errors import Brief, InputError
 from ._ffi import ffi
 from ._grids import Grid, grid_given, struct_of
 from ._library import lib
@@ -28,7 +28,7 @@ NUMBERS_MAX, BLOCK = 1 << 32, 1 << 18  # of triangles in the answer at most; tha
 
 
 @dataclass(frozen=True, eq=False)
-class CellLists:
+class CellLists(metaclass=Brief):
     """The cells that some triangle overlaps, and for each of them all that do.
 
     cells: (i, j, k) of each, uint32 of shape (m, 3). triangles: triangle numbers, uint32: cell n has

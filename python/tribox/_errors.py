@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import List, Optional
 
 from ._ffi import ffi
 from ._library import lib
@@ -11,7 +11,14 @@ STATUS = ffi.typeof("tribox_status").elements
 SHOWN_MAX = 200  # characters of a value in a message
 
 
-class Error(Exception):
+class Brief(type):
+    """Leaves what every class has, and the operators of arrays, out of help()."""
+
+    def __dir__(cls) -> List[str]:
+        return [name for name in super().__dir__() if name == "__init__" or not name.startswith("__")]
+
+
+class Error(Exception, metaclass=Brief):
     """Every error of this module. On an error nothing has been written.
 
     status: the library's name for it, such as "BAD_BOX"; None if the arguments could not be passed to the library.

@@ -10,7 +10,7 @@ from typing import Any, Iterator, Optional, SupportsIndex, Tuple
 import numpy as np
 
 from ._arguments import check, three, whole, wholes
-from ._errors import InputError, InputTypeError, named, shown
+from ._errors import Brief, InputError, InputTypeError, named, shown
 from ._ffi import ffi
 from ._library import lib
 from ._triangles import bounds_of, held
@@ -29,7 +29,7 @@ def cells_of(cell):
 
 
 @dataclass(frozen=True)
-class Grid:
+class Grid(metaclass=Brief):
     """A grid of closed cells: Grid(origin, cell, size).
 
     origin: the lower corner of the first cell, three numbers. cell: the length of a cell, or three; both in the unit of the

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from . import _c
 from ._arguments import DOUBLE, FLOAT, check, options_of
 from ._boxes import OrientedBox, Rows, Streams, bounds_of_boxes, box_of, oriented_of
-from ._errors import InputError, check_indices, error_of, shown
+from ._errors import Brief, InputError, check_indices, error_of, shown
 from ._ffi import ffi
 from ._library import lib
 from ._masks import bools, check_out, new_words, pointer_to, rows_of_words
@@ -98,7 +98,7 @@ def in_order(held_, order, threads=1):
     return soup
 
 
-class Index:
+class Index(metaclass=Brief):
     """An index over triangles, for many queries: each takes time for its answer, and not for all triangles.
 
     triangles: as for overlap, at most 2^32, of float32 or float64.

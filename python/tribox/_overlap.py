@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _c
 from ._arguments import FLOAT, array_of, check, first_of, options_of, place_of, three, three_times_three
 from ._boxes import OrientedBox, Rows, Streams, bounds_of_boxes, box_of, oriented_of
-from ._errors import BadIndexError, InputError, InputTypeError, check_indices, shown
+from ._errors import BadIndexError, Brief, InputError, InputTypeError, check_indices, shown
 from ._ffi import ffi
 from ._library import lib
 from ._masks import bools, check_out, new_words, pointer_to, rows_of_words
@@ -211,7 +211,7 @@ def overlap_boxes(triangle: Frame, lo: Boxes, hi: Optional[Boxes] = None, *, acc
 
 
 @dataclass(frozen=True, eq=False)
-class Cropped:
+class Cropped(metaclass=Brief):
     """Some triangles of a mesh: vertices, faces, face_numbers, vertex_numbers = tribox.crop(mesh, lo, hi).
 
     Attributes of faces and vertices are looked up by them: colors[face_numbers], normals[vertex_numbers].

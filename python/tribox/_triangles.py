@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import DOUBLE, FLOAT, address_of, array_of, check_floats, first_of, numbers, place_of
-from ._errors import BadIndexError, InputError, InputTypeError, check_indices, error_of
+from ._errors import BadIndexError, Brief, InputError, InputTypeError, check_indices, error_of
 from ._ffi import ffi
 from ._library import lib
 from ._typing import MeshLike, TrianglesLike
@@ -153,7 +153,7 @@ def layout_of_triangles(triangles):
     return None
 
 
-class Mesh:
+class Mesh(metaclass=Brief):
     """Vertices of shape (m, 3) and faces of shape (n, 3), the numbers of their vertices: Mesh(vertices, faces).
 
     vertices: arrays of float32 and float64 are read in place, with any distance between vertices and between axes: rows, columns
@@ -244,7 +244,7 @@ class Mesh:
         return (f"<tribox.Mesh: {self.struct.vertices} vertices of {self.vertices.dtype}, {len(self)} {what}, {extent(self)}>")
 
 
-class Soup:
+class Soup(metaclass=Brief):
     """Triangles as nine streams, the fastest form: streams[axis][vertex] is a contiguous array of n float32. Arrays are not copied.
 
     streams: an array of shape (3, 3, n), or sequences of nine arrays. Soup.of(triangles) makes one of triangles in any form.

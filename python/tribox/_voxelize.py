@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _c
 from ._arguments import check, meaning, options_of, range_of
-from ._errors import InputError, InputTypeError, shown
+from ._errors import Brief, InputError, InputTypeError, shown
 from ._ffi import ffi
 from ._grids import grid_given, struct_of
 from ._library import lib
@@ -55,7 +55,7 @@ def new_words(shape):
     return np.empty(shape, WORD), False
 
 
-class OpenMeshWarning(UserWarning):
+class OpenMeshWarning(UserWarning, metaclass=Brief):
     """A mesh is certainly not closed, so its inside is not well defined."""
 
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 from abc import ABCMeta
-from typing import Any, Iterator, List, Optional, Tuple, Union
+from typing import Any, Iterator, Optional, Tuple, Union
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import array_of, wholes
-from ._errors import InputError, InputTypeError, shown
+from ._errors import Brief, InputError, InputTypeError, shown
 from ._ffi import ffi
 from ._files import ending_of_input, load_binvox, load_dense, save_voxels
 from ._grids import SIZE_MAX, Grid
@@ -26,14 +26,11 @@ BITWISE = {np.bitwise_and: np.bitwise_and, np.bitwise_or: np.bitwise_or, np.bitw
            np.logical_and: np.bitwise_and, np.logical_or: np.bitwise_or, np.logical_xor: np.bitwise_xor, np.logical_not: np.invert}
 
 
-class WithoutOperators(ABCMeta):
-    """Leaves the operators of an array, of which there are fifty, out of help()."""
-
-    def __dir__(cls) -> List[str]:
-        return [name for name in super().__dir__() if name not in vars(NDArrayOperatorsMixin)]
+class BriefArray(Brief, ABCMeta):  # which the operators are for type checkers
+    pass
 
 
-class Voxels(NDArrayOperatorsMixin, metaclass=WithoutOperators):
+class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
     """Cells of a grid, as an array of bool of shape (nz, ny, nx) that knows its grid: voxels[k, j, i] is cell (i, j, k).
 
     Voxels can be used like such an array, without a copy: np.asarray(voxels), voxels[3], voxels.sum(), voxels.any(axis=0),

@@ -72,6 +72,19 @@ class Types(cases.TestCase):
                         found += missing(f"{name}.{inner}", getattr(thing, inner))
         self.assertEqual(found, [])
 
+    def test_help_of_all(self):
+        """It begins with what there is, each method by its name, and has no methods that every class or array has."""
+        text = pydoc.render_doc(tribox, renderer=pydoc.plaintext)
+        self.assertLess(text.count("\n"), 900)
+        self.assertNotRegex(text, "__radd__|__setattr__")
+        for thing in tribox.Voxels, tribox.Bricks, tribox.Index:
+            for name, method in vars(thing).items():
+                if inspect.isroutine(method) and not name.startswith("_"):
+                    self.assertIn(f".{name}(", tribox.__doc__)
+        for name in tribox.__all__:
+            if inspect.isfunction(getattr(tribox, name)) and name not in ("kernels", "kernel_name", "mask_indices", "tile_count"):
+                self.assertRegex(tribox.__doc__, rf"\b{name}\b")
+
     def test_help(self):
         """Signatures are of names that one can read, and lines of a terminal's width."""
         for name in tribox.__all__:
