@@ -1,6 +1,5 @@
 """Files of cells as the program writes them, whose planes are those that were asked about; and meshes as the program reads them."""
 
-import contextlib
 import json
 import os
 import pickle
@@ -186,6 +185,10 @@ class Files(cases.TestCase):
         program = Path(self.folder, "program.npz")
         self.program("voxelize", path, "--cell", "0.1", "--colours", "-o", program)
         self.assert_same(tribox.Voxels.load(program).colors, colors[ids.ids])
+        many, out = ids.with_colors(self.pick.integers(0, 256, (ids.sum(), 3)).astype(np.uint8)), Path(self.folder, "many.vox")
+        with self.assertWarnsRegex(UserWarning, f"^{out} has the 255 colours of its palette") as warned:
+            many.save(out)
+        self.assertEqual(warned.filename, __file__)
         refuse, wrong = self.refuse, tribox.InputError
         refuse(wrong, None, "^these Voxels have no colors; voxelize", getattr, ids, "colors")
         refuse(wrong, None, r"of each cell$", ids.with_colors, colors)
@@ -216,8 +219,10 @@ class Files(cases.TestCase):
                 self.assertIsNone(mesh.face_colors)
                 self.assert_same(*(np.array(tribox.voxelize(one, GRIDS["tenths"])) for one in (mesh, triangles)))
                 self.assert_same(tribox.overlap(mesh, cases.LO, cases.HI), tribox.overlap(triangles, cases.LO, cases.HI))
-        with contextlib.chdir(self.folder) if hasattr(contextlib, "chdir") else contextlib.nullcontext():
-            self.assertEqual(len(tribox.read("-little.ply" if hasattr(contextlib, "chdir") else path)), 30)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        os.rename("-little.ply", "-")  # which is no option, and not the standard input
+        self.assertEqual(len(tribox.read("-")), 30)
 
     @NEEDS_PROGRAM
     def test_not_read(self):
