@@ -129,7 +129,7 @@ class Answers(Voxels):
     def test_refused_grids(self):
         finer = "finer than double on the %s axis: near %s it cannot tell cells of %s apart; choose cells of %s or more, or move"
         mesh = self.mesh_of(LATTICE)
-        rows = [("a grid of .* cells takes .*, a bit per cell; the most is 16.0 GiB: choose fewer cells", "-r", "2000000000"),
+        rows = [("a grid of .* cells takes .*, a bit per cell; the most is 16.0 GiB: choose fewer cells", "-r", "262144"),
                 ("the grid has more than 2147483648 cells along the x axis; choose larger cells", "--cell", "1e-30"),
                 ("reaches beyond what double holds on the y axis", *grid_of("1,1e308,1", "0,0,0", "2,9,2")),
                 ("the mesh ends at x = [0-9.]+, before the grid starts at 100; move --origin, or give --size", "-c", "1",

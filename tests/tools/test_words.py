@@ -69,8 +69,8 @@ WRONG = {
         ("a shard is written as .npz, not as npy", *CELL, "-o", "x.npy", "--shard", "1/2"),
         ("a shard is written as .npz, not as raw", *CELL, "-o", "-", "--out-format", "raw", "--shard", "1/2"),
         ("--preview needs all cells: give it to 'tribox merge'", *V, "--shard", "1/2", "--preview", "x.png"),
-        *(("--resolution: '%s' is not a whole number from 1 to " % value, *A, "-r", value)
-          for value in ("0", "-1", "1[.]5", "", "x", "1e3", "9999999999", "8 ") for value in [value.replace("[.]", ".")]),
+        *(("--resolution: '%s' is not a whole number from 1 to 262144;" % value, *A, "-r", value)
+          for value in ("262145", "2000000000", "0", "-1", "1[.]5", "", "x", "1e3", "9999999999", "8 ") for value in [value.replace("[.]", ".")]),
         *(("--threads: '%s' is not a whole number from 1 to 256" % value, *A, "-t", value) for value in ("0", "257", "two")),
         *(("--size: '%s' is not NX,NY,NZ" % value, *A, "--size", value)
           for value in ("1", "1,2", "1,2,3,4", "0,1,1", "1,2,3,", "1,2,-3", "1 2 3")),

@@ -33,7 +33,7 @@ int grid_take(grid_request *r, int which, const char *value)
     case GRID_SHIFT:
         return mesh_shift_read(value, &r->shift);
     case GRID_RESOLUTION:
-        return numbers_read_whole(value, "--resolution", GRID_CELLS_MAX, &r->choice.resolution);
+        return numbers_read_whole(value, "--resolution", GRID_RESOLUTION_MAX, &r->choice.resolution);
     case GRID_CELL:
         return read_cell(value, r->choice.cell);
     case GRID_ORIGIN:

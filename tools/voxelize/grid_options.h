@@ -17,7 +17,7 @@ enum { GRID_FORMAT, GRID_SHIFT, GRID_RESOLUTION, GRID_CELL, GRID_ORIGIN, GRID_SI
 #define GRID_HELP \
     "      --format WORD       stl, f32 or f64, whatever the name of MESH; standard input needs it\n" \
     "      --shift X,Y,Z|auto  subtract this from MESH first, in double; auto: near its corner\n" \
-    "  -r, --resolution N      N cubic cells along the longest side of the mesh\n" \
+    "  -r, --resolution N      N cubic cells along the longest side of the mesh; at most 262144\n" \
     "  -c, --cell S[,S,S]      length of a cell, or its lengths along x, y and z\n" \
     "      --origin X,Y,Z      lower corner of the grid; default: that of the mesh\n" \
     "      --size NX,NY,NZ     number of cells; default: just enough to hold the mesh\n"
@@ -37,7 +37,8 @@ typedef struct grid_request {
     grid_choice choice;
 } grid_request;
 
-enum { GRID_CELLS_MAX = INT32_MAX };
+/* Of a cube of so many cells along each side all tiles can be numbered (tile_set.h), so --resolution is not refused later. */
+enum { GRID_CELLS_MAX = INT32_MAX, GRID_RESOLUTION_MAX = 1 << 18 };
 
 /* Takes an option before GRID_END. Returns an exit_code. */
 int grid_take(grid_request *r, int which, const char *value);
