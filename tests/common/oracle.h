@@ -36,10 +36,12 @@ bool oracle_overlaps(oracle_axes truth, unsigned groups);
 bool oracle_pair_overlaps(const pair_f64 *pair, oracle_axes truth, unsigned groups);
 
 /*
- * Whether CONSERVATIVE and FAST may report a pair of doubles that does not overlap: each axis of the groups that separates does so
- * by less than 2^-47 (F_a m_b + F_b m_a), of the plane 2^-47 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y), and no box normal does.
+ * Whether CONSERVATIVE and FAST may report a pair that does not overlap: each axis of the groups that separates does so by less
+ * than 2^-bits (F_a m_b + F_b m_a), of the plane 2^-bits (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y), and no box normal does. Of
+ * doubles 47 are promised.
  */
-bool oracle_is_near(const pair_f64 *pair, oracle_axes truth, unsigned groups);
+enum { ORACLE_NEAR_BITS = 47 };
+bool oracle_is_near(const pair_f64 *pair, oracle_axes truth, unsigned groups, unsigned bits);
 
 /* Whether some point of the triangle lies in the box. */
 bool oracle_clip(const pair_f64 *pair);

@@ -108,7 +108,7 @@ static void project(room *r, int body, int points)
     }
 }
 
-static bool is_axis_near(room *r, int number)
+static bool is_axis_near(room *r, int number, unsigned bits)
 {
     put_axis(r, number);
     project(r, 0, 3);
@@ -116,11 +116,11 @@ static bool is_axis_near(room *r, int number)
     mpz_sub(r->gap, r->least[0], r->most[1]);
     mpz_sub(r->term, r->least[1], r->most[0]);
     raise_to(r->gap, r->term);
-    mpz_mul_2exp(r->gap, r->gap, 47);
+    mpz_mul_2exp(r->gap, r->gap, bits);
     return mpz_cmp(r->gap, r->allowed) < 0;
 }
 
-bool oracle_is_near(const pair_f64 *pair, oracle_axes truth, unsigned groups)
+bool oracle_is_near(const pair_f64 *pair, oracle_axes truth, unsigned groups, unsigned bits)
 {
     static const unsigned box_normals = (1u << ORACLE_PLANE) - 1;
     room r;
@@ -130,7 +130,7 @@ bool oracle_is_near(const pair_f64 *pair, oracle_axes truth, unsigned groups)
     load(&r, pair);
     for (int k = ORACLE_PLANE; is_near && k < ORACLE_AXES; k++)
         if (truth.apart >> k & 1 && groups & (k == ORACLE_PLANE ? TRIBOX_AXES_PLANE : TRIBOX_AXES_EDGES))
-            is_near = is_axis_near(&r, k);
+            is_near = is_axis_near(&r, k, bits);
     for_all(&r, clear);
     return is_near;
 }

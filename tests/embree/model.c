@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "common/closed_meshes.h"
+#include "common/soup_or_mesh.h"
 
 void *memory_of(size_t count, size_t size)
 {
@@ -16,134 +17,127 @@ void *memory_of(size_t count, size_t size)
     return memory;
 }
 
-static model empty(size_t capacity) { return (model){.triangles = memory_of(capacity, sizeof(triangle))}; }
-
 static void put(void *mesh, const double a[3], const double b[3], const double c[3])
 {
-    model *const s = mesh;
+    model *const m = mesh;
     const double *const corner[3] = {a, b, c};
-    for (int j = 0; j < 3; j++)
-        for (int k = 0; k < 3; k++)
-            s->triangles[s->count].u[j][k] = (float)corner[j][k];
-    s->count++;
+    for (int k = 0; k < 9; k++)
+        m->triangles[m->count].u[k / 3][k % 3] = (float)corner[k / 3][k % 3];
+    m->count++;
 }
 
-model model_soup(random_source *r, size_t count, double size)
+static void draw_triangle(random_source *r, double size, model *m)
 {
-    model s = empty(count);
-    while (s.count < count) {
-        double v[3][3];
-        for (int a = 0; a < 3; a++) {
-            const double least = random_double(r, -1, 1 - size);
-            for (int j = 0; j < 3; j++)
-                v[j][a] = least + random_double(r, 0, size);
-        }
-        put(&s, v[0], v[1], v[2]);
+    double v[3][3];
+    for (int a = 0; a < 3; a++) {
+        const double least = random_double(r, -1, 1 - size);
+        for (int j = 0; j < 3; j++)
+            v[j][a] = least + random_double(r, 0, size);
     }
-    return s;
+    put(m, v[0], v[1], v[2]);
 }
 
-/* For a mesh with room for that many triangles. */
-static closed_mesh_sink sink_of(model *s, size_t triangles)
+static void shake(random_source *r, model *m)
 {
-    *s = empty(triangles);
-    return (closed_mesh_sink){put, s};
-}
-
-model model_icosphere(int levels)
-{
-    model s;
-    const closed_mesh_sink to = sink_of(&s, (size_t)20 << 2 * levels);
-    closed_icosphere(&to, levels);
-    return s;
-}
-
-model model_torus(int around, int across, double tube)
-{
-    model s;
-    const closed_mesh_sink to = sink_of(&s, 2 * (size_t)around * (size_t)across);
-    closed_torus(&to, around, across, tube);
-    return s;
-}
-
-model model_cube(int steps)
-{
-    model s;
-    const closed_mesh_sink to = sink_of(&s, 12 * (size_t)steps * (size_t)steps);
-    closed_cube(&to, steps);
-    return s;
-}
-
-void model_place(model *s, const double scale[3], const double shift[3])
-{
-    for (size_t t = 0; t < s->count; t++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                s->triangles[t].u[j][a] = (float)(scale[a] * (double)s->triangles[t].u[j][a] + shift[a]);
-}
-
-void model_snap(model *s)
-{
-    for (size_t t = 0; t < s->count; t++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                s->triangles[t].u[j][a] = rintf(s->triangles[t].u[j][a]);
-}
-
-void model_shake(model *s, random_source *r)
-{
-    for (size_t t = 0; t < s->count; t++)
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++) {
-                float *const x = &s->triangles[t].u[j][a];
-                *x = nextafterf(*x, *x + (float)random_int_between(r, -1, 1));
-            }
-}
-
-void model_free(model *s)
-{
-    free(s->triangles);
-    *s = (model){0};
-}
-
-streams streams_make(const model *s)
-{
-    streams made = {.soup.count = s->count, .memory = memory_of(9 * s->count, sizeof(float))};
-    for (int j = 0; j < 3; j++) {
-        float *const stream[3] = {made.memory + (size_t)(3 * j) * s->count, made.memory + (size_t)(3 * j + 1) * s->count,
-                                  made.memory + (size_t)(3 * j + 2) * s->count};
-        for (size_t t = 0; t < s->count; t++)
-            for (int a = 0; a < 3; a++)
-                stream[a][t] = s->triangles[t].u[j][a];
-        made.soup.x[j] = stream[0];
-        made.soup.y[j] = stream[1];
-        made.soup.z[j] = stream[2];
+    for (size_t k = 0; k < 9 * m->count; k++) {
+        float *const x = &m->triangles[k / 9].u[k / 3 % 3][k % 3];
+        *x = nextafterf(*x, *x + (float)random_int_between(r, -1, 1));
     }
-    return made;
 }
 
-void streams_free(streams *s) { free(s->memory); }
-
-bool planes_make(grid_planes *p, const tribox_grid *grid)
+model model_make(shape s, size_t count, double size, random_source *r)
 {
-    if (!grid_planes_make(p, grid))
-        return false;
-    for (int a = 0; a < 3; a++)
-        for (uint32_t c = 0; c < grid->size[a]; c++) {
-            const tribox_box cell = tribox_grid_cell(grid, a == 0 ? c : 0, a == 1 ? c : 0, a == 2 ? c : 0);
-            if (cell.lo[a] != p->plane[a][c] || cell.hi[a] != p->plane[a][c + 1] || cell.hi[a] != (double)(float)cell.hi[a])
+    enum { LEVELS = 4, AROUND = 64, ACROSS = 32, STEPS = 8 };
+    static const size_t counts[] = {
+        [ICOSPHERE] = 20 << 2 * LEVELS, [TORUS] = 2 * AROUND * ACROSS, [CUBE] = 12 * STEPS * STEPS, [SHAKEN] = 20 << 2 * LEVELS};
+    model m = {.triangles = memory_of(s == SOUP ? count : counts[s], sizeof(triangle))};
+    const closed_mesh_sink to = {put, &m};
+    if (s == SOUP)
+        while (m.count < count)
+            draw_triangle(r, size, &m);
+    else if (s == TORUS)
+        closed_torus(&to, AROUND, ACROSS, size);
+    else if (s == CUBE)
+        closed_cube(&to, STEPS);
+    else
+        closed_icosphere(&to, LEVELS);
+    if (s == SHAKEN) { /* all but touching, everywhere */
+        model_place(&m, 28, ALIKE(32));
+        model_snap(&m);
+        shake(r, &m);
+    }
+    return m;
+}
+
+void model_place(model *m, double scale, const double shift[3])
+{
+    for (size_t k = 0; k < 9 * m->count; k++) {
+        float *const x = &m->triangles[k / 9].u[k / 3 % 3][k % 3];
+        *x = (float)(scale * (double)*x + shift[k % 3]);
+    }
+}
+
+void model_snap(model *m)
+{
+    for (size_t k = 0; k < 9 * m->count; k++) {
+        float *const x = &m->triangles[k / 9].u[k / 3 % 3][k % 3];
+        *x = rintf(*x);
+    }
+}
+
+float *model_soup(const model *m, tribox_soup *soup)
+{
+    float *const rows = memory_of(9 * m->count, sizeof *rows);
+    for (size_t t = 0; t < m->count; t++)
+        for (size_t k = 0; k < 9; k++)
+            rows[k * m->count + t] = m->triangles[t].u[k % 3][k / 3];
+    *soup = soup_of_rows(rows, m->count, m->count);
+    return rows;
+}
+
+bool planes_make(planes *p, const tribox_grid *grid)
+{
+    p->grid = *grid;
+    for (int a = 0; a < 3; a++) {
+        if (grid->size[a] > CELLS_MAX)
+            return false;
+        for (uint32_t c = 0; c <= grid->size[a]; c++) {
+            p->at[a][c] = fma(c, grid->cell[a], grid->origin[a]);
+            if (p->at[a][c] != (double)(float)p->at[a][c] || (c && !(p->at[a][c] > p->at[a][c - 1])))
                 return false;
         }
+        for (uint32_t c = 0; c < grid->size[a]; c++) {
+            const tribox_box cell = tribox_grid_cell(grid, a == 0 ? c : 0, a == 1 ? c : 0, a == 2 ? c : 0);
+            if (cell.lo[a] != p->at[a][c] || cell.hi[a] != p->at[a][c + 1])
+                return false;
+        }
+    }
     return true;
 }
 
+tribox_box planes_cell(const planes *p, const int cell[3])
+{
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = p->at[a][cell[a]];
+        box.hi[a] = p->at[a][cell[a] + 1];
+    }
+    return box;
+}
+
+size_t planes_bit(const planes *p, const int cell[3])
+{
+    const size_t row = (size_t)cell[2] * p->grid.size[1] + (size_t)cell[1];
+    return 64 * (row * tribox_mask_words(p->grid.size[0])) + (size_t)cell[0];
+}
+
 /* How many planes of an axis lie below x, or at it if it is closed. */
-static int planes_below(const grid_planes *p, int axis, double x, bool is_closed)
+static int planes_below(const planes *p, int axis, double x, bool is_closed)
 {
     int below = 0, above = (int)p->grid.size[axis] + 1;
     while (below < above) {
         const int middle = (below + above) / 2;
-        const double plane = p->plane[axis][middle];
+        const double plane = p->at[axis][middle];
         if (plane < x || (is_closed && plane == x))
             below = middle + 1;
         else
@@ -152,13 +146,13 @@ static int planes_below(const grid_planes *p, int axis, double x, bool is_closed
     return below;
 }
 
-span planes_met(const grid_planes *p, int axis, double least, double most)
+span planes_met(const planes *p, int axis, double least, double most)
 {
     const int below = planes_below(p, axis, least, false), until = planes_below(p, axis, most, true);
     return (span){below > 0 ? below - 1 : 0, until <= (int)p->grid.size[axis] ? until - 1 : (int)p->grid.size[axis] - 1};
 }
 
-block planes_candidates(const grid_planes *p, const triangle *t)
+block planes_candidates(const planes *p, const triangle *t)
 {
     block b;
     for (int a = 0; a < 3; a++) {
@@ -172,37 +166,21 @@ block planes_candidates(const grid_planes *p, const triangle *t)
     return b;
 }
 
-bool block_has(const block *b, const int cell[3])
-{
-    bool is_in = true;
-    for (int a = 0; a < 3; a++)
-        is_in = is_in && cell[a] >= b->first[a] && cell[a] < b->first[a] + b->count[a];
-    return is_in;
-}
-
 size_t block_number(const block *b, const int cell[3])
 {
-    const int i = cell[0] - b->first[0], j = cell[1] - b->first[1], k = cell[2] - b->first[2];
-    return ((size_t)k * (size_t)b->count[1] + (size_t)j) * (size_t)b->count[0] + (size_t)i;
+    size_t number = 0;
+    for (int a = 2; a >= 0; a--) {
+        if (cell[a] < b->first[a] || cell[a] >= b->first[a] + b->count[a])
+            return block_cells(b);
+        number = number * (size_t)b->count[a] + (size_t)(cell[a] - b->first[a]);
+    }
+    return number;
 }
 
 void block_cell(const block *b, size_t number, int cell[3])
 {
-    const size_t row = number / (size_t)b->count[0];
-    cell[0] = b->first[0] + (int)(number % (size_t)b->count[0]);
-    cell[1] = b->first[1] + (int)(row % (size_t)b->count[1]);
-    cell[2] = b->first[2] + (int)(row / (size_t)b->count[1]);
-}
-
-size_t planes_bit(const grid_planes *p, const int cell[3])
-{
-    return 64 * grid_planes_word(p, cell[0], cell[1], cell[2]) + (size_t)cell[0] % 64;
-}
-
-static void subtract(const float p[3], const float q[3], double difference[3])
-{
-    for (int a = 0; a < 3; a++)
-        difference[a] = (double)p[a] - (double)q[a];
+    for (int a = 0; a < 3; number /= (size_t)b->count[a++])
+        cell[a] = b->first[a] + (int)(number % (size_t)b->count[a]);
 }
 
 static double cross_part(const double p[3], const double q[3], int axis)
@@ -211,36 +189,21 @@ static double cross_part(const double p[3], const double q[3], int axis)
     return p[a] * q[b] - p[b] * q[a];
 }
 
-static double largest(const double v[3]) { return fmax(fmax(fabs(v[0]), fabs(v[1])), fabs(v[2])); }
-
-/* The forward bound of the float quotient n . (v0 - from) / n[axis], of which n is a product of edges. */
-static double float_error_of(double t, double edge, double reach, double distance, double n)
-{
-    const double u = 0x1p-24;
-    return u * (distance + t) * (6 * edge * edge + 8 * reach * edge) / fabs(n) + 4 * u * t;
-}
-
 bool crossing_make(const triangle *t, int axis, const float from[3], crossing *c)
 {
     double edge[2][3], v[3][3], n[3];
-    for (int j = 0; j < 3; j++)
-        subtract(t->u[j], from, v[j]);
-    for (int j = 0; j < 2; j++)
-        subtract(t->u[j + 1], t->u[j], edge[j]);
+    for (int k = 0; k < 9; k++)
+        v[k / 3][k % 3] = (double)t->u[k / 3][k % 3] - (double)from[k % 3];
+    for (int k = 0; k < 6; k++)
+        edge[k / 3][k % 3] = (double)t->u[k / 3 + 1][k % 3] - (double)t->u[k / 3][k % 3];
     for (int a = 0; a < 3; a++)
         n[a] = cross_part(edge[0], edge[1], a);
     if (n[axis] == 0)
         return false;
     c->t = (n[0] * v[0][0] + n[1] * v[0][1] + n[2] * v[0][2]) / n[axis];
-    c->place = (double)from[axis] + c->t;
     c->cosine = n[axis] / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     c->barycentric = INFINITY;
     for (int j = 0; j < 3; j++)
         c->barycentric = fmin(c->barycentric, cross_part(v[(j + 1) % 3], v[(j + 2) % 3], axis) / n[axis]);
-    double third[3];
-    subtract(t->u[0], t->u[2], third);
-    const double e = fmax(fmax(largest(edge[0]), largest(edge[1])), largest(third));
-    const double reach = fmax(fmax(largest(v[0]), largest(v[1])), largest(v[2]));
-    c->float_error = float_error_of(c->t, e, reach, fabs(v[0][0]) + fabs(v[0][1]) + fabs(v[0][2]), n[axis]);
     return true;
 }

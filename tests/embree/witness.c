@@ -1,9 +1,160 @@
+/*
+ * witness.c - casts rays by Embree 3 or 4, whichever HAVE_EMBREE names, with a filter that takes down every hit; and marks what
+ * they witness.
+ */
 #include "witness.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-#include "embree.h"
+#if HAVE_EMBREE == 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+typedef struct embree_scene {
+    RTCDevice device;
+    RTCScene scene;
+    unsigned *hits; /* triangles */
+    size_t count, capacity;
+} embree_scene;
+
+#if HAVE_EMBREE == 4
+typedef struct RTCRayQueryContext ray_context;
+#else
+typedef struct RTCIntersectContext ray_context;
+#endif
+
+/* What a ray carries to the filter: Embree's own context must come first. */
+typedef struct carried {
+    ray_context context;
+    embree_scene *scene;
+} carried;
+
+/* One thread: the answers are few and the sanitizers have nothing to say of it. */
+static RTCDevice new_device(void) { return rtcNewDevice("threads=1"); }
+
+static void die(RTCDevice device, const char *what)
+{
+    fprintf(stderr, "Embree: %s (error %d)\n", what, (int)rtcGetDeviceError(device));
+    exit(1);
+}
+
+bool witness_is_usable(void)
+{
+    const RTCDevice device = new_device();
+    if (!device) {
+        printf("skipped: Embree makes no device here (error %d)\n", (int)rtcGetDeviceError(NULL));
+        return false;
+    }
+    const bool has_filters = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_FILTER_FUNCTION_SUPPORTED) != 0;
+    if (!has_filters)
+        printf("skipped: this Embree was built without filter functions\n");
+    rtcReleaseDevice(device);
+    return has_filters;
+}
+
+static void record(embree_scene *s, unsigned number)
+{
+    if (s->count == s->capacity) {
+        s->capacity = s->capacity ? 2 * s->capacity : 256;
+        s->hits = realloc(s->hits, s->capacity * sizeof *s->hits);
+        if (!s->hits)
+            die(s->device, "no memory for the hits");
+    }
+    s->hits[s->count++] = number;
+}
+
+/* Takes down every hit and refuses it, so that the ray goes on. The names of a packet's members are for C++ alone. */
+static void take_down(const struct RTCFilterFunctionNArguments *args)
+{
+    carried *const with = (carried *)args->context;
+    const unsigned *const hit = (const unsigned *)args->hit;
+    const unsigned n = args->N;
+    for (unsigned i = 0; i < n; i++)
+        if (args->valid[i]) {
+            record(with->scene, hit[5 * n + i]);
+            args->valid[i] = 0;
+        }
+}
+
+static void fill(RTCGeometry geometry, RTCDevice device, const triangle *triangles, size_t count)
+{
+    float *const vertex =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count);
+    unsigned *const index =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), count);
+    if (!vertex || !index)
+        die(device, "no memory for the triangles");
+    memcpy(vertex, triangles, count * sizeof *triangles);
+    for (size_t k = 0; k < 3 * count; k++)
+        index[k] = (unsigned)k;
+}
+
+/* The triangles are copied. Robust: closed at both ends of a ray, and no hit on an edge falls between two triangles. */
+static embree_scene *embree_scene_make(const triangle *triangles, size_t count)
+{
+    embree_scene *const s = calloc(1, sizeof *s);
+    if (!s)
+        die(NULL, "no memory for a scene");
+    s->device = new_device();
+    s->scene = rtcNewScene(s->device);
+    rtcSetSceneFlags(s->scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(s->scene, RTC_BUILD_QUALITY_MEDIUM);
+    const RTCGeometry geometry = rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    fill(geometry, s->device, triangles, count);
+    rtcSetGeometryMask(geometry, 0xffffffff);
+    rtcSetGeometryIntersectFilterFunction(geometry, take_down);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(s->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(s->scene);
+    if (rtcGetDeviceError(s->device) != RTC_ERROR_NONE)
+        die(s->device, "the scene cannot be built");
+    return s;
+}
+
+static void embree_scene_free(embree_scene *s)
+{
+    rtcReleaseScene(s->scene);
+    rtcReleaseDevice(s->device);
+    free(s->hits);
+    free(s);
+}
+
+/* All that differs between the two versions. */
+static void intersect(embree_scene *s, struct RTCRayHit *ray)
+{
+    carried with = {.scene = s};
+#if HAVE_EMBREE == 4
+    struct RTCIntersectArguments arguments;
+    rtcInitRayQueryContext(&with.context);
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &with.context;
+    rtcIntersect1(s->scene, ray, &arguments);
+#else
+    rtcInitIntersectContext(&with.context);
+    rtcIntersect1(s->scene, &with.context, ray);
+#endif
+}
+
+/* All triangles that the closed ray from + t * along, 0 <= t <= far, meets, in no order. They last until the next cast. */
+static size_t embree_cast(embree_scene *s, const float from[3], const float along[3], float far, const unsigned **hits)
+{
+    struct RTCRayHit ray = {
+        .ray = {.org_x = from[0], .org_y = from[1], .org_z = from[2], .dir_x = along[0], .dir_y = along[1], .dir_z = along[2]}};
+    ray.ray.tfar = far;
+    ray.ray.mask = 0xffffffff;
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    s->count = 0;
+    intersect(s, &ray);
+    *hits = s->hits;
+    return s->count;
+}
 
 /* The planes of a grid as a scene: a triangle each, so large that no ray within mesh and grid nears its border. */
 typedef struct plane_scene {
@@ -16,11 +167,11 @@ typedef struct bounds {
     float lo[3], extent[3];
 } bounds;
 
-static bounds bounds_of(const grid_planes *p, const model *s)
+static bounds bounds_of(const planes *p, const model *s)
 {
     bounds b;
     for (int a = 0; a < 3; a++) {
-        float lo = (float)p->plane[a][0], hi = (float)p->plane[a][(int)p->grid.size[a]];
+        float lo = (float)p->at[a][0], hi = (float)p->at[a][(int)p->grid.size[a]];
         for (size_t t = 0; t < s->count; t++)
             for (int j = 0; j < 3; j++) {
                 lo = fminf(lo, s->triangles[t].u[j][a]);
@@ -46,30 +197,21 @@ static triangle plane_triangle(const bounds *b, int axis, float plane)
     return t;
 }
 
-static plane_scene plane_scene_make(const grid_planes *p, const model *s)
+static plane_scene plane_scene_make(const planes *p, const model *s)
 {
     const bounds b = bounds_of(p, s);
     plane_scene d = {0};
-    triangle *const triangles = memory_of(3 * (GRID_PLANES_CELLS + 1), sizeof *triangles);
+    triangle *const triangles = memory_of(3 * (CELLS_MAX + 1), sizeof *triangles);
     int count = 0;
     for (int a = 0; a < 3; a++) {
         d.first[a] = count;
         for (int i = 0; i <= (int)p->grid.size[a]; i++)
-            triangles[count++] = plane_triangle(&b, a, (float)p->plane[a][i]);
+            triangles[count++] = plane_triangle(&b, a, (float)p->at[a][i]);
     }
     d.scene = embree_scene_make(triangles, (size_t)count);
     free(triangles);
     return d;
 }
-
-static void plane_scene_free(plane_scene *d) { embree_scene_free(d->scene); }
-
-static int plane_scene_axis(const plane_scene *d, unsigned number)
-{
-    return ((int)number >= d->first[1]) + ((int)number >= d->first[2]);
-}
-
-static int plane_scene_plane(const plane_scene *d, unsigned number) { return (int)number - d->first[plane_scene_axis(d, number)]; }
 
 /* The cells of one axis that a point may lie in. */
 typedef struct reach {
@@ -78,16 +220,16 @@ typedef struct reach {
 } reach;
 
 /* A point that is on a plane of the grid by construction lies in the cells on both sides. */
-static reach reach_of_plane(const grid_planes *p, int axis, int plane)
+static reach reach_of_plane(const planes *p, int axis, int plane)
 {
     return (reach){plane > 0 ? plane - 1 : 0, plane < (int)p->grid.size[axis] ? plane : (int)p->grid.size[axis] - 1, true};
 }
 
-static reach reach_of_number(const grid_planes *p, int axis, double x, double tolerance)
+static reach reach_of_number(const planes *p, int axis, double x, double tolerance)
 {
     const span met = planes_met(p, axis, x - tolerance, x + tolerance);
-    const bool is_inside = met.first == met.last && (double)p->plane[axis][met.first] <= x - tolerance &&
-                           x + tolerance <= (double)p->plane[axis][met.first + 1];
+    const bool is_inside = met.first == met.last && (double)p->at[axis][met.first] <= x - tolerance &&
+                           x + tolerance <= (double)p->at[axis][met.first + 1];
     return (reach){met.first, met.last, tolerance == 0 || is_inside};
 }
 
@@ -99,11 +241,11 @@ static void mark(witness *w, size_t t, const reach at[3], bool is_witness)
     for (c[2] = at[2].first; c[2] <= at[2].last; c[2]++)
         for (c[1] = at[1].first; c[1] <= at[1].last; c[1]++)
             for (c[0] = at[0].first; c[0] <= at[0].last; c[0]++) {
-                if (!block_has(candidates, c)) {
-                    w->counts.strays += is_certain;
+                const size_t number = block_number(candidates, c), word = w->first_word[t] + number / 64;
+                if (number == block_cells(candidates)) {
+                    w->strays += is_certain;
                     continue;
                 }
-                const size_t number = block_number(candidates, c), word = w->first_word[t] + number / 64;
                 const uint64_t bit = UINT64_C(1) << number % 64;
                 w->possible[word] |= bit;
                 w->certain[word] |= is_certain ? bit : 0;
@@ -114,20 +256,16 @@ static void mark_vertices(witness *w, size_t t)
 {
     for (int j = 0; j < 3; j++) {
         reach at[3];
-        bool is_in_grid = true;
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a < 3; a++)
             at[a] = reach_of_number(w->planes, a, (double)w->model->triangles[t].u[j][a], 0);
-            is_in_grid = is_in_grid && at[a].first <= at[a].last;
-        }
         mark(w, t, at, true);
-        w->counts.vertices += is_in_grid;
     }
 }
 
 /* Where edge p q crosses a plane of the grid. False beyond the ends of the edge. */
 static bool edge_reach(const witness *w, const float p[3], const float q[3], int axis, int plane, reach at[3])
 {
-    const double rise = (double)q[axis] - (double)p[axis], part = (double)w->planes->plane[axis][plane] - (double)p[axis];
+    const double rise = (double)q[axis] - (double)p[axis], part = (double)w->planes->at[axis][plane] - (double)p[axis];
     if (rise == 0 || part / rise < 0 || part / rise > 1)
         return false;
     at[axis] = reach_of_plane(w->planes, axis, plane);
@@ -147,16 +285,16 @@ static void cast_edge(witness *w, plane_scene *d, size_t t, int j)
     const float along[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
     if (along[0] == 0 && along[1] == 0 && along[2] == 0)
         return;
-    const embree_hit *hits;
+    const unsigned *hits;
     const size_t count = embree_cast(d->scene, p, along, 1 + 0x1p-20f, &hits);
     for (size_t k = 0; k < count; k++) {
         reach at[3];
-        const int axis = plane_scene_axis(d, hits[k].triangle);
-        const bool is_met = edge_reach(w, p, q, axis, plane_scene_plane(d, hits[k].triangle), at);
+        const int number = (int)hits[k], axis = (number >= d->first[1]) + (number >= d->first[2]);
+        const bool is_met = edge_reach(w, p, q, axis, number - d->first[axis], at);
         if (is_met)
             mark(w, t, at, true);
-        w->counts.edges += is_met;
-        w->counts.left_out += !is_met;
+        w->edges += is_met;
+        w->left_out += !is_met;
     }
 }
 
@@ -166,45 +304,39 @@ static void cast_edges(witness *w)
     for (size_t t = 0; t < w->model->count; t++)
         for (int j = 0; j < 3; j++)
             cast_edge(w, &d, t, j);
-    plane_scene_free(&d);
+    embree_scene_free(d.scene);
 }
 
 /* Embree's own slack at the border of a triangle, as a barycentric coordinate. */
 static const double softest = -1e-5;
 
-static void count_lattice_hit(witness_counts *n, const crossing *c, float embree_t, double cell)
-{
-    n->soft += c->barycentric < 0;
-    n->solid += c->barycentric >= 0;
-    n->grazing += fabs((double)embree_t - c->t) > c->float_error || c->float_error > 0.05 * cell;
-}
-
 /* A lattice line along the axis, at[a] and at[b] being its planes on the two others. */
 static void cast_lattice_line(witness *w, embree_scene *scene, int axis, reach at[3], const float from[3])
 {
-    const grid_planes *const p = w->planes;
-    const float lowest = (float)p->plane[axis][0], highest = (float)p->plane[axis][(int)p->grid.size[axis]];
+    const planes *const p = w->planes;
+    const float lowest = (float)p->at[axis][0], highest = (float)p->at[axis][(int)p->grid.size[axis]];
     const float cell = (float)p->grid.cell[axis];
     float along[3] = {0};
     along[axis] = 1;
-    const embree_hit *hits;
+    const unsigned *hits;
     const size_t count = embree_cast(scene, from, along, highest - from[axis] + cell, &hits);
     for (size_t k = 0; k < count; k++) {
         crossing c;
-        if (!crossing_make(&w->model->triangles[hits[k].triangle], axis, from, &c) || c.barycentric < softest) {
-            w->counts.ghost++;
+        if (!crossing_make(&w->model->triangles[hits[k]], axis, from, &c) || c.barycentric < softest) {
+            w->ghost++;
             continue;
         }
         const double scale = fabs((double)from[axis]) + fabs(c.t) + ((double)highest - (double)lowest);
-        at[axis] = reach_of_number(p, axis, c.place, w->is_exact ? 0 : 1e-14 * scale / fabs(c.cosine));
-        mark(w, hits[k].triangle, at, c.barycentric >= 0);
-        count_lattice_hit(&w->counts, &c, hits[k].t, (double)cell);
+        at[axis] = reach_of_number(p, axis, (double)from[axis] + c.t, w->is_exact ? 0 : 1e-14 * scale / fabs(c.cosine));
+        mark(w, hits[k], at, c.barycentric >= 0);
+        w->soft += c.barycentric < 0;
+        w->hits++;
     }
 }
 
 static void cast_lattice(witness *w)
 {
-    const grid_planes *const p = w->planes;
+    const planes *const p = w->planes;
     embree_scene *const scene = embree_scene_make(w->model->triangles, w->model->count);
     for (int axis = 0; axis < 3; axis++) {
         const int a = (axis + 1) % 3, b = (axis + 2) % 3;
@@ -214,9 +346,9 @@ static void cast_lattice(witness *w)
                 at[a] = reach_of_plane(p, a, i);
                 at[b] = reach_of_plane(p, b, j);
                 float from[3];
-                from[axis] = (float)(p->plane[axis][0] - p->grid.cell[axis]);
-                from[a] = (float)p->plane[a][i];
-                from[b] = (float)p->plane[b][j];
+                from[axis] = (float)(p->at[axis][0] - p->grid.cell[axis]);
+                from[a] = (float)p->at[a][i];
+                from[b] = (float)p->at[b][j];
                 cast_lattice_line(w, scene, axis, at, from);
             }
     }
@@ -236,7 +368,7 @@ static void find_candidates(witness *w)
     w->possible = memory_of(w->first_word[count], sizeof *w->possible);
 }
 
-witness witness_make(const grid_planes *p, const model *s, bool is_exact)
+witness witness_make(const planes *p, const model *s, bool is_exact)
 {
     witness w = {.planes = p, .model = s, .is_exact = is_exact};
     find_candidates(&w);

@@ -1,5 +1,5 @@
 /*
- * witness.h - which cells a triangle meets, found by rays and by no separating axis.
+ * witness.h - which cells a triangle meets, found by rays and by no separating axis; the only place that knows Embree.
  *
  * Triangle and cell are convex and compact. If they meet, so do they in a point of one of three kinds:
  *   vertex    a vertex of the triangle, in the closed cell
@@ -14,28 +14,26 @@
 
 #include "model.h"
 
-typedef struct witness_counts {
-    size_t solid, soft, ghost; /* lattice hits: inside the triangle; outside by Embree's tolerance; outside by more */
-    size_t grazing;            /* lattice hits whose place Embree knows badly: used, with the place recomputed */
-    size_t edges, left_out;    /* edge hits; those beyond the edge's end, by the rounding of its direction */
-    size_t vertices;           /* in the grid */
-    size_t strays;             /* certain marks outside of the triangle's candidates: a fault of this test, always 0 */
-} witness_counts;
+/* False, with a line that says why, where the cross-check has to be skipped. */
+bool witness_is_usable(void);
 
 /* One bit for each candidate of each triangle: words first_word[t] .. first_word[t + 1] - 1 are those of triangle t. */
 typedef struct witness {
-    const grid_planes *planes;
+    const planes *planes;
     const model *model;
     bool is_exact; /* the coordinates are small integers of one unit: no tolerance anywhere */
     block *candidates;
     size_t *first_word;
     uint64_t *certain;  /* a witness beyond the rounding of this test: the pair overlaps */
     uint64_t *possible; /* certain, or a witness within the rounding: a pair without does not overlap */
-    witness_counts counts;
+    size_t hits, edges; /* of lattice lines, and of edges of triangles */
+    size_t soft, ghost; /* lattice hits outside the triangle: by Embree's tolerance; by more */
+    size_t left_out;    /* edge hits beyond the edge's end, by the rounding of its direction */
+    size_t strays;      /* certain marks outside of the triangle's candidates: a fault of this test, always 0 */
 } witness;
 
-/* Needs Embree. Keeps both arguments. */
-witness witness_make(const grid_planes *p, const model *s, bool is_exact);
+/* Keeps both arguments. */
+witness witness_make(const planes *p, const model *m, bool is_exact);
 void witness_free(witness *w);
 
 #endif

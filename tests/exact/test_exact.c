@@ -87,7 +87,8 @@ static void check_answer(int k, bool answer, bool may_miss)
     const bool is_missed = overlaps && !answer, is_false = answer && !overlaps, errs = accuracy == TRIBOX_FAST && may_miss;
     const bool must_be_right = accuracy == TRIBOX_EXACT || (accuracy == TRIBOX_FAST && t.floats && t.floats->is_exact_in_float);
     if (must_be_right ? is_missed || is_false
-                      : !errs && (is_missed || (is_false && t.doubles && !oracle_is_near(&pair, t.truth[k], t.where.options.axes))))
+                      : !errs && (is_missed || (is_false && t.doubles &&
+                                                !oracle_is_near(&pair, t.truth[k], t.where.options.axes, ORACLE_NEAR_BITS))))
         fail_pair(&t.where, &pair, answer);
     t.tally.asked[accuracy]++;
     t.tally.missed[accuracy] += is_missed;

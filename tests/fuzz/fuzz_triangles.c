@@ -63,8 +63,9 @@ static void find_truths(fuzz_case *q)
         } else if (q->form != ORIENTED && pair_f64_is_finite(&pair)) {
             const oracle_axes apart = oracle_separating(&pair);
             q->truth[i].overlaps = oracle_pair_overlaps(&pair, apart, axes);
-            q->truth[i].may_overlap =
-                is_of_floats(q) ? !box_is_empty(&pair.box) : q->truth[i].overlaps || oracle_is_near(&pair, apart, axes);
+            q->truth[i].may_overlap = is_of_floats(q)
+                                          ? !box_is_empty(&pair.box)
+                                          : q->truth[i].overlaps || oracle_is_near(&pair, apart, axes, ORACLE_NEAR_BITS);
         }
     }
 }
