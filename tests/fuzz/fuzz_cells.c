@@ -304,16 +304,13 @@ static void check(const void *about, const tribox_options *o)
     }
 }
 
-/* Of a grid, options or layers that are refused nothing is written, not even one word. */
+/* Of a grid, a mesh or layers that are refused nothing is written, not even one word. */
 static void check_refusal(const fuzz_case *q, unsigned wrong, uint32_t first, uint32_t layers)
 {
-    tribox_report report;
     uint64_t *const occupied = tight_mask(64);
     const tribox_window window = {{0, 0, first}, {q->grid.size[0], q->grid.size[1], layers}};
-    memset(&report, POISON, sizeof report);
-    ensure_status(wrong, CALL(voxelize, &q->t, &q->grid, &window, &q->options, occupied, &report));
+    ensure_status(wrong, CALL(voxelize, &q->t, &q->grid, &window, &q->options, occupied, NULL));
     ensure_poisoned(occupied, sizeof *occupied);
-    ensure_poisoned(&report, sizeof report);
 }
 
 static crossing_case at;
@@ -415,11 +412,10 @@ static void check_all(fuzz_case *q)
 
 static void draw(input *in, fuzz_case *q)
 {
-    const drawn_options how = input_options(in);
+    q->options = input_options(in);
     const unsigned kind = input_byte(in);
-    q->options = how.options;
     in->is_wide = kind >= 128;
-    q->grid = draw_grid(in, how.options.axes && !(how.options.axes & TRIBOX_AXES_BOX));
+    q->grid = draw_grid(in, q->options.axes && !(q->options.axes & TRIBOX_AXES_BOX));
     q->cut = q->grid.size[2] ? input_below(in, q->grid.size[2] + 1) : 0;
     q->before_byte = input_byte(in);
     for (int n = 0; n < 3; n++) {
@@ -433,7 +429,7 @@ static void draw(input *in, fuzz_case *q)
     things_draw(in, kind % KINDS, 1 + input_below(in, TRIANGLES_MAX), NULL, &q->t);
     q->words = tribox_window_words(q->grid.size);
     q->cells = (size_t)q->grid.size[0] * q->grid.size[1] * q->grid.size[2];
-    const unsigned wrong = how.wrong | q->t.wrong | (is_sound(&q->grid) ? 0 : 1u << TRIBOX_BAD_GRID);
+    const unsigned wrong = q->t.wrong | (is_sound(&q->grid) ? 0 : 1u << TRIBOX_BAD_GRID);
     if (wrong)
         check_refusal(q, wrong, 0, 0);
     else

@@ -250,22 +250,11 @@ static void check_refusals(const fuzz_case *q)
 {
     uint64_t *const mask = tight_mask(q->count), *const inside = tight_mask(q->count);
     const tribox_options *const o = &q->options;
-    tribox_report report;
-    size_t first;
-    memset(&report, POISON, sizeof report);
-    memset(&first, POISON, sizeof first);
-    ensure_about(o);
-    ensure_status(q->wrong | (is_open(q, o) ? 1u << TRIBOX_BAD_OPTION : 0), ask(q, o, mask, &report));
-    if (q->form == BOX && q->wrong != 1u << TRIBOX_BAD_VERTEX) { /* of a search only if it comes across one */
-        ensure_status(q->wrong, CALL(find, &q->t, &q->box[0], o, TRIBOX_FIRST_HIT, &first));
-        ensure_status(q->wrong, CALL(find, &q->t, &q->box[0], o, TRIBOX_FIRST_MISS, &first));
-    }
+    ensure_status(q->wrong | (is_open(q, o) ? 1u << TRIBOX_BAD_OPTION : 0), ask(q, o, mask, NULL));
     if (q->form == BOX)
-        ensure_status(q->wrong, CALL(classify, &q->t, &q->box[0], o, mask, inside, &report));
+        ensure_status(q->wrong, CALL(classify, &q->t, &q->box[0], o, mask, inside, NULL));
     ensure_poisoned(mask, tribox_mask_words(q->count) * sizeof *mask);
     ensure_poisoned(inside, tribox_mask_words(q->count) * sizeof *inside);
-    ensure_poisoned(&report, sizeof report);
-    ensure_poisoned(&first, sizeof first);
 }
 
 /* A triangle and many boxes. */
@@ -287,9 +276,9 @@ static void draw_boxes(input *in, size_t shift, fuzz_case *q)
 
 static void draw(input *in, fuzz_case *q)
 {
-    const drawn_options how = input_options(in);
+    const tribox_options options = input_options(in);
     const unsigned form = input_byte(in);
-    *q = (fuzz_case){.form = form % FORMS, .options = how.options};
+    *q = (fuzz_case){.form = form % FORMS, .options = options};
     q->kind = q->form == BOXES ? OF_SOUP : form / FORMS % KINDS;
     q->count = q->form == ORIENTED ? input_count(in) % 75 : input_count(in); /* the integers of the library are slow there */
     in->is_wide = form >= FORMS * KINDS * 8 && q->form != BOXES;
@@ -304,7 +293,7 @@ static void draw(input *in, fuzz_case *q)
         draw_boxes(in, form / FORMS % 4, q);
     q->is_lattice = in->is_lattice && q->form != ORIENTED;
     const bool is_finite = q->form == ORIENTED ? oriented_is_finite(&q->oriented) : q->form == BOXES || box_is_finite(&q->box[0]);
-    q->wrong = how.wrong | q->t.wrong | (is_finite ? 0 : 1u << TRIBOX_BAD_BOX);
+    q->wrong = q->t.wrong | (is_finite ? 0 : 1u << TRIBOX_BAD_BOX);
     q->first = q->t.count ? input_byte(in) % q->t.count : 0;
     q->part = q->t.count ? 1 + input_byte(in) % (q->t.count - q->first) : 0;
 }

@@ -232,30 +232,9 @@ tribox_oriented_box input_oriented(input *in)
     return box;
 }
 
-drawn_options input_options(input *in)
+tribox_options input_options(input *in)
 {
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
-    drawn_options drawn = {.options.axes = input_byte(in) & 7, .wrong = 0};
-    drawn.options.axis_order = orders[input_below(in, sizeof orders / sizeof orders[0])];
-    switch (input_byte(in)) {
-    case 0xff:
-        drawn.options.accuracy = (tribox_accuracy)(TRIBOX_FAST + 1);
-        drawn.wrong = 1u << TRIBOX_BAD_OPTION;
-        break;
-    case 0xfe:
-        drawn.options.axes |= 8;
-        drawn.wrong = 1u << TRIBOX_BAD_OPTION;
-        break;
-    case 0xfd:
-        drawn.options.axis_order = 100 * input_below(in, 4) + 11;
-        drawn.wrong = 1u << TRIBOX_BAD_OPTION;
-        break;
-    case 0xfc:
-        drawn.options.kernel = "none";
-        drawn.wrong = 1u << TRIBOX_NO_KERNEL;
-        break;
-    default:
-        break;
-    }
-    return drawn;
+    const unsigned axes = input_byte(in) & 7;
+    return (tribox_options){.axes = axes, .axis_order = orders[input_below(in, sizeof orders / sizeof orders[0])]};
 }

@@ -54,12 +54,7 @@ tribox_box input_box(input *in);
 /* Rotated, sheared or flat; rarely empty. */
 tribox_oriented_box input_oriented(input *in);
 
-/* Options, and as bits of 1 << status what is wrong with them. The kernel stays open where nothing is wrong with it. */
-typedef struct drawn_options {
-    tribox_options options;
-    unsigned wrong;
-} drawn_options;
-
-drawn_options input_options(input *in);
+/* Which axes, and in which order. */
+tribox_options input_options(input *in);
 
 #endif

@@ -16,7 +16,6 @@ BYTES_OF_NUMBER = {BITS: 4, LATTICE: 1, FAR_LATTICE: 1, NEAR_KNOWN: 2, BETWEEN_K
 UNITS = UNIT_ONE, UNIT_EIGHTH, UNIT_HUGE, UNIT_SUBNORMAL = 0, 1, 6, 7
 BOX, ORIENTED, BOXES = range(3)
 KINDS = OF_SOUP, OF_FLOATS, OF_NARROW, OF_DOUBLES = range(4)
-ERRORS = 0xff, 0xfe, 0xfd, 0xfc
 
 
 def lattice(*numbers):
@@ -40,8 +39,8 @@ def shape(way, numbers, kind=0):
     return bytes([way + 8 * kind]) + numbers
 
 
-def options(axes=0, order=0, error=0):
-    return bytes([axes, order, error]) + (b"\0" if error == 0xfd else b"")
+def options(axes=0, order=0):
+    return bytes([axes, order])
 
 
 UNIT_BOX = shape(LATTICE, lattice(-1, 1, -1, 1, -1, 1))
@@ -102,9 +101,6 @@ def triangles():
         head = bytes([UNIT_ONE]) + options() + bytes([3 * kind, 1])
         for name, numbers in CONTACTS.items():
             files["contact_%s_%d" % (name, kind)] = head + UNIT_BOX + b"\0\0" + shape(LATTICE, numbers)
-        for error in ERRORS:
-            files["wrong_%d_%d" % (error, kind)] = (bytes([UNIT_ONE]) + options(error=error) + bytes([3 * kind, 5]) + UNIT_BOX +
-                                                    things(source, kind, LATTICE))
         one = bytes([0, 0]) + shape(LATTICE, CONTACTS["plane"])
         for name, layout in {"missing": (254, 0, 0, 0), "too_small": (0, 0, 255, 3), "six": (255, 0, 0, 0), "width_3": (0, 8, 0, 0),
                              "behind": (0, 1, 0, 0, 0, 0, 250), "greatest": (0, 2, 0, 0, 255), "columns": (0, 1, 3, 5)}.items():
@@ -137,9 +133,6 @@ def index():
         files["half_%d" % side] = (bytes([UNIT_ONE]) + options() + bytes([1 + 2 * (side % 4), 255]) +
                                    shape(LATTICE, lattice(*half)) +
                                    around + flat + things(source, side % 4, LATTICE, run=b"\77") + b"\1\0\377\0")
-    for error in ERRORS:
-        files["wrong_%d" % error] = (bytes([UNIT_ONE]) + options(error=error) + b"\0\276" + UNIT_BOX * 3 +
-                                     things(source, OF_SOUP, LATTICE))
     files["wrong_axes"] = bytes([UNIT_ONE]) + options(6) + b"\0\276" + UNIT_BOX * 3 + things(source, OF_SOUP, LATTICE)
     files["wrong_box"] = (bytes([UNIT_ONE]) + options() + b"\0\276" + shape(NASTY, bytes([15] * 6)) * 3 +
                           things(source, OF_SOUP, LATTICE))
@@ -182,8 +175,6 @@ def cells():
             unit % 4, LATTICE, unit)
         add("wide_%d" % unit, options(), bytes([POWER]) + source.randbytes(6) + bytes([LATTICE]) + lattice(2, 4, 2), (8, 4, 4), 1,
             OF_DOUBLES, LATTICE, unit, 1)
-    for error in ERRORS:
-        add("wrong_%d" % error, options(error=error), units, (4, 3, 3), 1, OF_SOUP, LATTICE)
     return files
 
 

@@ -13,7 +13,7 @@ typedef struct things {
     double u[DRAWN_MAX][3][3];
     unsigned drawn;
     size_t count, run; /* triangle i is u[i / run % drawn] */
-    bool is_mesh; /* for CALL */
+    bool is_mesh;      /* for CALL */
     tribox_soup soup;
     tribox_mesh mesh;
     unsigned wrong;         /* with the mesh; as bits of 1 << status */
