@@ -2,14 +2,13 @@
 #include "crew.h"
 
 #include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "message.h"
 
 /* A work that threads do together. */
 typedef struct crew {
-    void (*work)(void *data, unsigned thread);
+    void (*work)(void *data);
     void *data;
     unsigned at_work; /* others than the caller */
     pthread_cond_t left;
@@ -18,7 +17,6 @@ typedef struct crew {
 /* A thread, which stays till the process ends. */
 typedef struct helper {
     crew *does; /* NULL: it is parked */
-    unsigned number;
     pthread_cond_t called;
     struct helper *next; /* that is parked */
 } helper;
@@ -42,7 +40,7 @@ static void *help(void *own)
             pthread_cond_wait(&h->called, &lock);
         crew *const c = h->does;
         pthread_mutex_unlock(&lock);
-        c->work(c->data, h->number);
+        c->work(c->data);
         pthread_mutex_lock(&lock);
         park(h);
         if (!--c->at_work)
@@ -78,12 +76,13 @@ static bool call_helper(crew *c)
     helper *const h = parked;
     parked = h->next;
     h->does = c;
-    h->number = ++c->at_work;
+    c->at_work++;
     pthread_cond_signal(&h->called);
     return true;
 }
 
-void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void *data)
+/* Here and on so many other threads as there are, less one; returns when all have returned. */
+static void run(unsigned threads, void (*work)(void *data), void *data)
 {
     crew c = {.work = work, .data = data};
     pthread_cond_init(&c.left, NULL);
@@ -91,35 +90,12 @@ void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void 
     for (unsigned called = 1; called < threads && called < THREADS_MAX && call_helper(&c);)
         called++;
     pthread_mutex_unlock(&lock);
-    work(data, 0);
+    work(data);
     pthread_mutex_lock(&lock);
     while (c.at_work)
         pthread_cond_wait(&c.left, &lock);
     pthread_mutex_unlock(&lock);
     pthread_cond_destroy(&c.left);
-}
-
-typedef struct turns {
-    bool (*work)(void *data, unsigned thread, size_t n);
-    void *data;
-    size_t count;
-    atomic_size_t next;
-    atomic_bool is_failed;
-} turns;
-
-static void take_turns(void *data, unsigned thread)
-{
-    turns *const t = data;
-    for (size_t n; !t->is_failed && (n = atomic_fetch_add(&t->next, 1)) < t->count;)
-        if (!t->work(t->data, thread, n))
-            t->is_failed = true;
-}
-
-bool crew_turns(unsigned threads, size_t count, bool (*work)(void *data, unsigned thread, size_t n), void *data)
-{
-    turns t = {.work = work, .data = data, .count = count};
-    crew_run(threads < count ? threads : (unsigned)count, take_turns, &t);
-    return !t.is_failed;
 }
 
 /* A step that was begun, by what its number leaves when divided by the places. */
@@ -241,11 +217,10 @@ static void end_step(steps_crew *c, void *place, size_t n, int code)
     pthread_mutex_unlock(&c->state);
 }
 
-static void do_steps(void *data, unsigned thread)
+static void do_steps(void *data)
 {
     steps_crew *const c = data;
     void *place;
-    (void)thread;
     for (size_t n; begin_step(c, &place, &n);)
         end_step(c, place, n, c->work->step(c->data, place, n));
 }
@@ -265,7 +240,7 @@ int crew_do(const crew_work *work, void *data)
     pthread_mutex_init(&c.finding, NULL);
     pthread_mutex_init(&c.state, NULL);
     pthread_cond_init(&c.has_changed, NULL);
-    crew_run((unsigned)threads, do_steps, &c);
+    run((unsigned)threads, do_steps, &c);
     pthread_cond_destroy(&c.has_changed);
     pthread_mutex_destroy(&c.state);
     pthread_mutex_destroy(&c.finding);

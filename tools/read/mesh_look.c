@@ -148,21 +148,22 @@ typedef struct looking {
     mesh_look all;
 } looking;
 
-static bool look_at_block(void *data, unsigned thread, size_t n)
+static int look_at_block(void *data, void *place, size_t n)
 {
     looking *const l = data;
     const size_t first = n * BLOCK, left = l->m->triangles - first, count = left < BLOCK ? left : BLOCK;
-    (void)thread;
+    (void)place;
     if (l->from)
-        return mesh_look_put(l->from, first, count, first, l->m, &l->all);
+        return !mesh_look_put(l->from, first, count, first, l->m, &l->all);
     mesh_look_add(l->m, first, count, &l->all);
-    return true;
+    return 0;
 }
 
 static bool look_by_threads(const tribox_mesh *from, unsigned threads, mesh *m)
 {
     looking l = {.from = from, .m = m, .all = mesh_look_none()};
-    const bool is_done = crew_turns(threads, (m->triangles + BLOCK - 1) / BLOCK, look_at_block, &l);
+    const crew_work work = {.threads = threads, .count = (m->triangles + BLOCK - 1) / BLOCK, .step = look_at_block};
+    const bool is_done = !crew_do(&work, &l);
     mesh_look_keep(&l.all, m);
     return is_done;
 }

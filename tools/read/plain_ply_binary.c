@@ -118,15 +118,15 @@ typedef struct ply_binary {
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 
-static bool take_vertices(void *data, unsigned thread, size_t step)
+static int take_vertices(void *data, void *place, size_t step)
 {
     ply_binary *const p = data;
     const size_t first = step * BLOCK, count = least(BLOCK, p->records.vertices - first);
-    (void)thread;
-    return ply_records_vertices(&p->records, p->file->stream, first, count, p->positions);
+    (void)place;
+    return !ply_records_vertices(&p->records, p->file->stream, first, count, p->positions);
 }
 
-static bool take_faces(void *data, unsigned thread, size_t step)
+static int take_faces(void *data, void *place, size_t step)
 {
     ply_binary *const p = data;
     const size_t first = step * p->block, count = least(p->block, p->records.faces - first);
@@ -136,12 +136,12 @@ static bool take_faces(void *data, unsigned thread, size_t step)
                                .indices = corners,
                                .index_bytes = sizeof *corners,
                                .count = count};
-    (void)thread;
+    (void)place;
     const bool is_taken = corners && ply_records_faces(&p->records, p->file->stream, first, count, corners) &&
                           mesh_look_put(&block, 0, count, first, p->m, &p->look);
     reading_tell((double)first / (double)p->records.faces);
     free(corners);
-    return is_taken;
+    return !is_taken;
 }
 
 static bool read_all(ply_binary *p)
@@ -153,8 +153,9 @@ static bool read_all(ply_binary *p)
     if (!mesh_take_room(faces, p->m))
         return false;
     reading_begin();
-    const bool is_read = crew_turns(threads, (vertices + BLOCK - 1) / BLOCK, take_vertices, p) &&
-                         crew_turns(threads, (faces + p->block - 1) / p->block, take_faces, p);
+    const crew_work first = {.threads = threads, .count = (vertices + BLOCK - 1) / BLOCK, .step = take_vertices};
+    const crew_work second = {.threads = threads, .count = (faces + p->block - 1) / p->block, .step = take_faces};
+    const bool is_read = !crew_do(&first, p) && !crew_do(&second, p);
     reading_end();
     p->m->triangles = p->m->soup.count = faces;
     if (is_read)

@@ -147,15 +147,6 @@ void pages_free(void *room, size_t taken)
     free(room);
 }
 
-bool crew_turns(unsigned threads, size_t count, bool (*work)(void *data, unsigned thread, size_t n), void *data)
-{
-    size_t n = 0;
-    (void)threads;
-    while (n < count && work(data, 0, n))
-        n++;
-    return n == count;
-}
-
 int crew_do(const crew_work *work, void *data)
 {
     void *const place = work->begin ? work->begin(data) : data;
