@@ -20,7 +20,8 @@ class Output(harness.TestCase):
         self.mesh = self.write("mesh.obj", meshes.obj([((0, 0, 0), (1.5, 0, 0), (0, 1.5, 0))] * 3000))
         self.commands = [("--help",), ("--version",), ("info",), ("info", "--json"), ("info", "--help"), ("demo", "--help"),
                          ("demo", "--quick"), ("sweep", self.mesh, "--quick"), ("overlap", "--help")]
-        self.commands += [("overlap", self.mesh, "--box", harness.UNIT_BOX, *more) for more in ((), ("--list",), ("--json",))]
+        self.commands += [("overlap", self.mesh, "--box", harness.UNIT_BOX, *more)
+                          for more in ((), ("--list",), ("--json",), ("-o", "-"))]
 
     def lose_output(self, redirection):
         for command in self.commands:
