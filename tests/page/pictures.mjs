@@ -37,18 +37,22 @@ function moveBox(page, part) {
     return set(page, '#numbers', numbers, 'change');
 }
 
-const slide = (page, part) => set(page, '#slide', 0.5 - 0.7 * Math.sin(2 * Math.PI * part), 'input');
+/** The axis of the figure in the plane goes round. */
+async function turnAxis(page, part) {
+    await page.focus('[aria-label=Axis]');
+    for (let i = 0; part && i < 10; i++) await page.keyboard.press('ArrowUp');
+}
 
 /** Name, window, scene or step of the story, what is done, and how often, for as many pictures. */
 const rows = {
     pictures: [
-        ...[0, 1, 2, 3, 4, 5].map((step) => [`step${step}`, DESK, `?step=${step}`]), ['dark', DESK, '?scene=knot'],
+        ...[0, 1, 2, 3, 4, 5, 6, 7, 8].map((step) => [`step${step}`, DESK, `?step=${step}`]), ['dark', DESK, '?scene=knot'],
         ['light', LIGHT, '?scene=coarse'], ['phone', PHONE, '?scene=coarse'],
         ['phone-light', LIGHT_PHONE, '?scene=coarse', (page) => page.locator('#measure').scrollIntoViewIfNeeded()],
         ['cells', DESK, '?scene=coarse', (page) => page.fill('#resolution', '48')], ['turned', LIGHT, '?scene=coarse', turn],
         ['unlike', LIGHT, '?scene=ties', (page) => page.click('#accuracy [value=fast]')], ['chart', DESK, '?scene=knot', measure],
     ],
-    film: [['', FILM, '', moveBox, 18], ['', FILM, '?step=1', slide, 12], ['', FILM, '?step=5', moveBox, 12]],
+    film: [['', FILM, '', moveBox, 18], ['', FILM, '?step=1', turnAxis, 12], ['', FILM, '?step=8', moveBox, 12]],
 };
 
 await mkdir(folder, { recursive: true });

@@ -1,6 +1,8 @@
 // test_story.mjs - the pictures one scrolls through: the opening, thirteen axes, an index, ties, cells; and no picture at all.
 import assert from 'node:assert/strict';
-import { axesOf, steps } from '../../examples/web/src/story.js';
+import { axesOf } from '../../examples/web/src/axes.js';
+import { scenes } from '../../examples/web/src/scenes/scenes.js';
+import { steps } from '../../examples/web/src/story.js';
 import { visitsOf } from '../../examples/web/src/visits.js';
 import { answerOf, ask, settled } from './answer.mjs';
 import { DESK, openPage, PHONE, SMALL } from './browser.mjs';
@@ -50,33 +52,132 @@ export async function opens() {
     assert.ok(links.every(([, address]) => address && !address.startsWith('built:')), `${links}`);
 }
 
-export async function cornersMove() {
+/** Of a triangle and the cube, by the program; axes: groups. */
+const overlaps = (triangle, axes) => {
+    const words = ['overlap', 'MESH', '--box=-1,-1,-1,1,1,1', ...(axes ? ['--axes', axes] : [])];
+    return ask(words, raw('figure.f32', Float32Array.from(triangle))).overlapping === 1;
+};
+
+const figureOf = (page) =>
+    page.evaluate(() => {
+        const article = document.querySelectorAll('#steps article')[new URLSearchParams(location.search).get('step')];
+        const names = [...document.querySelectorAll('.knob[aria-label^=Corner]')].map((knob) => knob.getAttribute('aria-label'));
+        return {
+            triangle: names.flatMap((name) => name.split(' at ')[1].split(',').map(Number)),
+            verdict: article.querySelector('.verdict').textContent,
+            lit: article.querySelectorAll('.axes .is-apart').length,
+            shown: article.querySelector('.axes .is-shown')?.getAttribute('aria-label'),
+            isApart: document.getElementById('figure').classList.contains('is-apart'),
+        };
+    });
+
+async function dragBy(page, selector, x, y) {
+    const box = await page.locator(selector).boundingBox(), from = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await page.mouse.move(from[0] + x, from[1] + y, { steps: 3 });
+    await page.mouse.up();
+}
+
+/** By hand and by keys, in the plane and in space, what is said is what the program says; a gap is shown only if they are apart. */
+export async function figuresAnswer() {
+    const places = [[-60, 10], [-40, 60], [60, -50], [20, 30]], seen = new Set();
+    for (const step of [1, 2, 4]) {
+        const page = await openPage({ query: `?step=${step}`, options: STILL }), before = await figureOf(page);
+        for (const [i, [x, y]] of places.entries()) {
+            await dragBy(page, i % 2 ? '.knob[aria-label^="Corner 1"] .grip' : '.body', x, y);
+            await page.focus('.knob[aria-label^="Corner 2"]');
+            for (const key of ['ArrowDown', 'PageUp', 'ArrowLeft']) await page.keyboard.press(key);
+            await page.waitForTimeout(300);
+            const { triangle, verdict, lit, isApart } = await figureOf(page), text = `${step}: ${triangle}`;
+            const hits = overlaps(triangle);
+            assert.equal(verdict.startsWith('They overlap'), hits, text);
+            if (hits) assert.ok(!isApart && lit === 0, text);
+            if (step === 4) assert.equal(lit, axesOf(triangle).filter(({ gap }) => gap > 0).length, text);
+            if (step === 1) assert.ok([2, 5, 8].every((z) => triangle[z] === 0), text);
+            seen.add(`${step} ${hits}`);
+        }
+        await page.click('#reset');
+        assert.deepEqual((await figureOf(page)).triangle, before.triangle);
+    }
+    assert.ok(seen.size >= 5, `${[...seen]}`);
+}
+
+export async function theAxisTurns() {
     const page = await openPage({ query: '?step=1', options: STILL });
-    await page.waitForSelector('#axes li');
-    await page.focus('#canvas');
-    const seen = new Set();
-    for (const keys of ['2', 'PageDown PageDown PageDown PageDown', '1 ArrowDown ArrowDown ArrowDown', '3 ArrowUp', 'ArrowLeft']) {
-        for (let again = 0; again < 4; again++) {
-            for (const key of keys.split(' ')) await page.keyboard.press(key);
-            await page.waitForTimeout(250);
-            const { missed, straddling } = await answerOf(page), lit = await page.$$eval('#axes .is-apart', (all) => all.length);
-            assert.equal(missed + straddling, 1);
-            assert.equal(lit > 0, missed === 1, `${lit} axes are lit`);
-            assert.match(
-                await page.textContent('#verdict'),
-                missed ? new RegExp(lit === 1 ? 'one axis shows' : `${lit} axes show`) : /no axis/,
-            );
-            seen.add(missed);
+    await page.waitForFunction(() => document.querySelector('.verdict').textContent.startsWith('No gap'));
+    assert.equal(overlaps((await figureOf(page)).triangle), false);
+    await page.focus('[aria-label=Axis]');
+    for (let i = 0; i < 15; i++) await page.keyboard.press('ArrowUp'); // 45 degrees
+    assert.match((await figureOf(page)).verdict, /^A gap/);
+    await page.waitForTimeout(300); // for the next picture
+    assert.equal((await figureOf(page)).isApart, true);
+    await dragBy(page, '[aria-label=Axis] .grip', -200, -200);
+    assert.match((await figureOf(page)).verdict, /^No gap/);
+}
+
+/** What two figures begin with: apart by the triangle's normal alone, and by one axis of edges alone, which is the one shown. */
+export async function oneAxisAloneParts() {
+    for (const [step, others, name] of [[2, 'box,edges', 'n'], [3, 'box,plane', 'a12']]) {
+        const page = await openPage({ query: `?step=${step}`, options: STILL });
+        const { triangle, verdict, lit, shown } = await figureOf(page);
+        assert.deepEqual([overlaps(triangle, others), overlaps(triangle)], [true, false]);
+        assert.deepEqual(axesOf(triangle).filter(({ gap }) => gap > 0).map(({ letter, number }) => letter + number), [name]);
+        assert.deepEqual([lit, shown], [1, `Axis ${name}: a gap`]);
+        assert.match(verdict, /alone shows a gap/);
+        await page.click(`article:nth-child(${step + 1}) .axes li:first-child button`);
+        assert.match((await figureOf(page)).shown, /no gap/);
+        await page.waitForTimeout(300);
+        assert.equal((await figureOf(page)).isApart, false);
+    }
+}
+
+/** A lane is lit where the program, asked with one group of axes more, first lets go of its triangle. */
+export async function lanesLightUp() {
+    const page = await openPage({ query: '?step=5', options: STILL }), file = raw('eight.f32', scenes.eight.make());
+    await page.waitForSelector('.lanes .apart');
+    for (const keys of [[], Array(12).fill('ArrowRight'), Array(40).fill('PageDown')]) {
+        await page.focus('#canvas');
+        for (const key of keys) await page.keyboard.press(key);
+        await settled(page);
+        await page.waitForTimeout(300);
+        const [box] = (await answerOf(page)).command.match(/--box=\S+/), rows = await page.$$eval('.lanes tr', (all) =>
+            all.map((row) => [...row.querySelectorAll('td')].map((cell) => cell.className)),
+        );
+        let before = [0, 1, 2, 3, 4, 5, 6, 7];
+        for (const [t, axes] of ['box', 'box,plane', 'box,plane,edges'].entries()) {
+            const left = ask(['overlap', 'MESH', box, '--axes', axes, '--list'], file).indices;
+            const open = t === 2 ? 'overlaps' : 'open';
+            const wanted = rows[t].map((_, i) => (left.includes(i) ? open : before.includes(i) ? 'apart' : 'done'));
+            assert.deepEqual(rows[t], wanted, `${box} ${axes}`);
+            before = left;
         }
     }
-    assert.equal(seen.size, 2, 'the triangle was always apart, or never');
-    await page.fill('#slide', '2');
-    await page.waitForFunction(() => document.querySelectorAll('#axes .is-apart').length > 0);
+}
+
+/** No numbers about a single triangle; those beside the cells are theirs. */
+export async function numbersAreOfThePicture() {
+    const page = await openPage({ query: '?step=4', options: STILL });
+    assert.ok(await page.isHidden('.answer'));
+    await page.click('#dots li:nth-child(9) button');
+    await page.waitForFunction(() => /^[\d,]+ of \d+ × \d+ × \d+ cells, /.test(document.getElementById('rate').textContent));
+    assert.match(await page.textContent('#time'), /^[\d.]+ (µs|ms)$/);
+    assert.ok(await page.isHidden('.classes'));
+    await page.click('#dots li:nth-child(1) button');
+    await page.waitForFunction(() => / ns a triangle, /.test(document.getElementById('rate').textContent));
 }
 
 export async function indexIsLookedAt() {
-    const page = await openPage({ query: '?step=3', options: STILL });
+    const page = await openPage({ query: '', options: STILL });
+    await page.click('#dots li:nth-child(7) button');
+    await page.waitForSelector('article.is-waiting');
+    await page.fill('#size-6', '0.35'); // meanwhile
     await page.waitForFunction(() => document.getElementById('visits').textContent, undefined, { timeout: 40000 });
+    await settled(page);
+    assert.equal(await page.locator('.is-waiting').count(), 0);
+    assert.equal(await page.inputValue('#size-6'), '0.35');
+    const [lo, , , hi] = (await answerOf(page)).command.match(/--box=(\S+)/)[1].split(',').map(Number);
+    assert.ok(Math.abs(hi - lo - 0.7) < 1e-6, `${lo} to ${hi}`);
     const [looked, ofNodes, tested, ofWords] = (await page.textContent('#visits'))
         .match(/^([\d,]+) of ([\d,]+) nodes looked at, ([\d,]+) of ([\d,]+) groups/)
         .slice(1).map((n) => Number(n.replaceAll(',', '')));
@@ -104,7 +205,7 @@ export function visitsAreCounted() {
 }
 
 export async function tiesDiffer() {
-    const page = await openPage({ query: '?step=4', options: STILL });
+    const page = await openPage({ query: '?step=7', options: STILL });
     await page.waitForFunction(() => document.getElementById('ties-count').textContent.includes('wrong'));
     const wrong = Number((await page.textContent('#ties-count')).match(/^(\d+) of 30/)[1]);
     assert.ok(wrong >= 5 && wrong < 30, `${wrong} of 30`);
@@ -113,7 +214,7 @@ export async function tiesDiffer() {
 }
 
 export async function cellsAndBox() {
-    const page = await openPage({ query: '?step=5', options: STILL });
+    const page = await openPage({ query: '?step=8', options: STILL });
     for (const cells of ['32', '20']) {
         await page.fill('#cells-slider', cells);
         await page.waitForFunction((n) => document.getElementById('cells-note').textContent.includes(`${n} ×`), cells);
@@ -124,19 +225,19 @@ export async function oneScrollsOrClicks() {
     const page = await openPage({ query: '', options: STILL });
     const current = () => page.$eval('#dots [aria-current=step]', (dot) => dot.ariaLabel);
     for (let i = 1; i < steps.length; i++) await page.click('#next');
-    assert.match(await current(), /^5/);
+    assert.match(await current(), /^8/);
     assert.ok(await page.isDisabled('#next'));
     await page.click('#dots li:nth-child(2) button');
     assert.match(await current(), /^1/);
-    await page.$eval('#steps', (scroller) => scroller.scrollTo({ top: scroller.children[4].offsetTop, behavior: 'instant' }));
-    await page.waitForFunction(() => /^4/.test(document.querySelector('#dots [aria-current=step]').ariaLabel));
+    await page.$eval('#steps', (scroller) => scroller.scrollTo({ top: scroller.children[7].offsetTop, behavior: 'instant' }));
+    await page.waitForFunction(() => /^7/.test(document.querySelector('#dots [aria-current=step]').ariaLabel));
     await page.waitForFunction(() => document.getElementById('ties-count').textContent);
     await page.click('#console');
     assert.ok(await page.isVisible('.panel'));
     assert.equal(await page.inputValue('#scene'), 'grazing');
     assert.equal(await page.getAttribute('#accuracy [value=fast]', 'aria-checked'), 'true');
     await page.click('#console');
-    assert.match(await current(), /^4/);
+    assert.match(await current(), /^7/);
 }
 
 /** Nothing is wider than a phone, in any picture. */
@@ -144,7 +245,7 @@ export async function phone() {
     const page = await openPage({ query: '?step=1', options: { ...PHONE, reducedMotion: 'reduce' } });
     const wide = await page.$$eval('.story *, .stage *', (all) =>
         all
-            .filter((e) => e.checkVisibility() && !e.closest('svg, .visually-hidden, #axes'))
+            .filter((e) => e.checkVisibility() && !e.closest('svg, .visually-hidden'))
             .filter((e) => e.getBoundingClientRect().right > 360.5).map((e) => e.id || e.className || e.tagName),
     );
     assert.deepEqual(wide, []);
@@ -159,6 +260,14 @@ export async function withoutWebgl() {
         },
     });
     assert.ok(await page.isVisible('.blind'));
+    await page.click('#console'); // figures are drawn all the same
+    await page.click('#dots li:nth-child(3) button');
+    await page.waitForFunction(() => document.querySelectorAll('.verdict')[1].textContent.includes('alone'));
+    for (const drawn of ['.solid.of-box', '.body', '.parting']) assert.ok(await page.isVisible(drawn), drawn);
+    assert.ok(await page.isHidden('.blind'));
+    await page.click('#console');
+    await page.selectOption('#scene', 'coarse');
+    await page.waitForFunction(() => document.getElementById('command').textContent.includes('=0.2,'));
     await settled(page);
     const { straddling, inside } = await answerOf(page);
     assert.ok(straddling > 0 && inside > 0);

@@ -11,7 +11,7 @@ import { Story } from './story.js';
 import { addBoxKeys } from './view/box_keys.js';
 import { BoxView } from './view/box_view.js';
 import { Cells } from './view/cells.js';
-import { Corners } from './view/corners.js';
+import { Figure } from './view/figure.js';
 import { NodeBoxes } from './view/node_boxes.js';
 import { Stage } from './view/stage.js';
 import { Triangles } from './view/triangles.js';
@@ -71,21 +71,21 @@ const given = new URLSearchParams(location.search); // ?workers=1; ?scene=millio
 
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
-function startView(onBox, onCorner) {
-    const stage = new Stage(element('canvas'), isStill);
+function startView(onBox, onTriangle, onAxis) {
+    const stage = new Stage(element('canvas'), isStill, element('answer'));
     document.body.classList.toggle('is-blind', stage.isBlind);
     const view = {
         stage,
         triangles: new Triangles(stage),
         cells: new Cells(stage),
         nodes: new NodeBoxes(stage),
-        corners: new Corners(stage, onCorner),
+        figure: new Figure(stage, element('figure'), onTriangle, onAxis),
         box: new BoxView(stage, onBox),
     };
     stage.lookFrom('z');
     addBoxKeys(stage, view.box, makeChoice(element('mode'), (mode) => view.box.setMode(mode)));
     startTheme(element('theme'), (colours) => {
-        for (const painted of [view.triangles, view.cells, view.nodes, view.corners, view.box]) painted.paint(colours);
+        for (const painted of [view.triangles, view.cells, view.nodes, view.figure, view.box]) painted.paint(colours);
     });
     return view;
 }
@@ -159,6 +159,7 @@ function listen(page, panel, motion, story) {
     element('reset').addEventListener('click', () => {
         motion.stop();
         page.reset();
+        story.restart();
     });
     takeDrops(document.body, showFile);
 }
@@ -177,6 +178,7 @@ async function start() {
                 page?.boxMoved();
             },
             (triangle) => story?.reshape(triangle),
+            () => story?.tell(),
         );
         page = new Page(panel, await starting, view);
         story = new Story(page, panel, isStill ? null : motion);

@@ -99,9 +99,11 @@ export class Page {
     async answer() {
         const { mesh, panel, view } = this, box = this.box(), byIndex = panel.isByIndex();
         const { test, note } = allowedTest(panel.test(), box, byIndex), question = { box, test, byIndex };
-        const answer = await this.engine.ask(question);
+        const clearOld = panel.clearOld(), answer = await this.engine.ask(question);
         if (mesh !== this.mesh) return;
-        view.triangles.classify(answer);
+        clearOld();
+        const isLit = this.isOne && mesh.triangles.length === 9; // in a figure it keeps its colour
+        view.triangles.classify(isLit ? { ...answer, mask: answer.mask.map(() => 1) } : answer);
         view.nodes.show(answer.visits, mesh.frame);
         view.cells.colour(box.turned ? null : box, mesh.frame);
         view.triangles.mark(panel.showAnswer(answer, question, mesh, this.engine));
@@ -132,7 +134,7 @@ export class Page {
         while (shown.faces && !shown.at.length) shown = await this.voxelsAt(Math.floor(0.8 * shown.resolution));
         if (mesh !== this.mesh) return;
         view.cells.show(shown.grid, shown.at, mesh);
-        panel.showCells({ ...asked, resolution, drawnAt: shown.resolution });
+        panel.showCells({ ...asked, resolution, drawnAt: shown.resolution }, this.engine);
     }
 
     /** The cells of this mesh, and their faces. */

@@ -1,60 +1,40 @@
 // story.js - the pictures that one scrolls or clicks through, and the console that they hide.
+import { axesOf, nameOf } from './axes.js';
+import { Lanes } from './lanes.js';
 import { whole } from './numbers.js';
 
-/** Of each picture: which mesh, what is asked of it, and whether the box moves by itself. */
+/**
+ * Of each picture: which mesh, what is asked of it, and whether the box moves by itself. triangle: what the figure begins with, and
+ * isFlat, whether that lies in the plane of the picture.
+ */
 export const steps = [
     { scene: 'some', moves: true, isMeasured: true },
-    { scene: 'one', hasCorners: true },
-    { scene: 'some', moves: true },
+    { scene: 'one', triangle: [1.875, 0.5, 0, 2, 1.75, 0, 0.625, 1.75, 0], isFlat: true },
+    { scene: 'one', triangle: [-1.625, 0.875, 2, 0.25, -1.75, 1.875, -1.875, -1.875, -0.125] },
+    { scene: 'one', triangle: [-1.875, -0.625, 0.25, -1.875, 0.125, 1.375, -0.5, 1.25, 2] },
+    { scene: 'one', triangle: [-1.375, -0.625, -0.25, -1.375, 0.125, 0.875, 0, 1.25, 1.5] },
+    { scene: 'eight', moves: true, hasLanes: true },
     { scene: 'million', moves: true, size: 0.4, test: { byIndex: true } },
     { scene: 'grazing', test: { accuracy: 'fast' } },
     { scene: 'some', moves: true, test: { cells: true, resolution: 32 } },
 ];
 
-/* The thirteen axes of the paper about one triangle and the cube from -1 to 1: where each sees both, and the gap between. */
-const UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-
-const cross = (u, v) => [0, 1, 2].map((a) => u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3]);
-const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-
-/** The paper's letters: e for normals of the box, n for that of the triangle, a for the cross product of a normal and an edge. */
-function directions(vertices) {
-    const edges = [0, 1, 2].map((j) => vertices[(j + 1) % 3].map((x, a) => x - vertices[j][a]));
-    return [
-        ...UNIT.map((e, i) => ({ letter: 'e', number: `${i}`, group: 'box', axis: e })),
-        { letter: 'n', number: '', group: 'plane', axis: cross(edges[0], edges[1]) },
-        ...UNIT.flatMap((e, i) => edges.map((f, j) => ({ letter: 'a', number: `${i}${j}`, group: 'edges', axis: cross(e, f) }))),
-    ];
-}
-
-/**
- * The interval of the triangle on each axis, lo to hi; that of the cube is -r to r. gap: what lies between, 0 where they touch or
- * overlap. Exact for multiples of 1/64 below 8, as all products then fit a double.
- */
-export function axesOf(triangle) {
-    const vertices = [0, 3, 6].map((at) => Array.from(triangle.slice(at, at + 3)));
-    return directions(vertices).map(({ axis, ...name }) => {
-        const places = vertices.map((v) => dot(axis, v)), r = Math.abs(axis[0]) + Math.abs(axis[1]) + Math.abs(axis[2]);
-        const lo = Math.min(...places), hi = Math.max(...places);
-        return { ...name, lo, hi, r, gap: Math.max(lo - r, -r - hi, 0) };
-    });
-}
-
-/* The thirteen axes as small bars: above the box, below the triangle, and lit what lies between them. */
+/* Axes as small bars: above the box, below the triangle, and lit what lies between them. */
 function bar(className) {
     const made = document.createElement('i');
     made.className = className;
     return made;
 }
 
+/** A button that shows its axis in the picture. */
 function item({ letter, number, group }) {
-    const made = document.createElement('li'), name = document.createElement('var');
-    name.append(letter);
-    if (number) name.append(Object.assign(document.createElement('sub'), { textContent: number }));
-    const track = document.createElement('span');
+    const [made, button, name, track] = ['li', 'button', 'var', 'span'].map((tag) => document.createElement(tag));
+    name.append(nameOf({ letter, number }));
     track.append(bar('of-box'), bar('of-triangle'), bar('gap'));
     made.className = group;
-    made.append(name, track);
+    button.type = 'button';
+    button.append(name, track);
+    made.append(button);
     return made;
 }
 
@@ -64,23 +44,31 @@ function put(element, from, to) {
     element.style.width = `${Math.max(0, 100 * (to - from))}%`;
 }
 
-/** Fills a list with bars; returns what shows the axes in it. */
-function makeAxesView(list) {
+/** Fills a list with the axes of its groups, as bars; returns what shows axes in it, and which of them the picture has. */
+function makeAxesView(list, onChoice) {
     let items = null;
-    return (axes) => {
-        items ??= axes.map(item);
-        if (!list.children.length) list.append(...items);
+    return (axes, shown, isChosen) => {
+        if (!items) {
+            items = axes.map(item);
+            items.forEach((li, i) => li.firstChild.addEventListener('click', () => onChoice(list, i)));
+            list.append(...items);
+        }
         axes.forEach(({ letter, number, lo, hi, r, gap }, i) => {
             const span = 1.15 * Math.max(r, Math.abs(lo), Math.abs(hi)) || 1, at = (x) => 0.5 + x / span / 2;
-            const [ofBox, ofTriangle, between] = items[i].lastChild.children;
+            const button = items[i].firstChild, [ofBox, ofTriangle, between] = button.lastChild.children;
             put(ofBox, at(-r), at(r));
             put(ofTriangle, at(lo), at(hi));
             put(between, lo > r ? at(r) : at(hi), lo > r ? at(lo) : at(-r));
-            items[i].classList.toggle('is-apart', gap > 0);
-            items[i].setAttribute('aria-label', `${letter}${number}: ${gap > 0 ? 'a gap' : 'no gap'}`);
+            button.classList.toggle('is-apart', gap > 0);
+            button.classList.toggle('is-shown', i === shown);
+            button.setAttribute('aria-pressed', isChosen && i === shown);
+            button.setAttribute('aria-label', `Axis ${letter}${number}: ${gap > 0 ? 'a gap' : 'no gap'}`);
         });
     };
 }
+
+/** How far apart the shadows are, in lengths; less than 0 if they overlap. */
+const slackOf = ({ axis, lo, hi, r }) => Math.max(lo - r, -r - hi) / Math.hypot(...axis) || -Infinity;
 
 const element = (id) => document.getElementById(id);
 
@@ -91,7 +79,11 @@ export class Story {
         this.scroller = element('steps');
         this.articles = [...this.scroller.children];
         this.dots = [...element('dots').querySelectorAll('button')];
-        this.showAxes = makeAxesView(element('axes'));
+        this.lanes = new Lanes(element('lanes'));
+        this.axes = this.articles.map((article) => {
+            const list = article.querySelector('.axes');
+            return list && { groups: list.dataset.groups.split(' '), show: makeAxesView(list, (_, i) => this.choose(i)) };
+        });
         this.dots.forEach((dot, i) => dot.addEventListener('click', () => this.go(i)));
         for (const [id, by] of [['back', -1], ['next', 1]])
             element(id).addEventListener('click', () => this.go(this.at + by));
@@ -108,7 +100,6 @@ export class Story {
                 this.motion?.stop();
                 this.size(Number(slider.value));
             });
-        element('slide').addEventListener('input', ({ target }) => this.page.view.corners.slide(Number(target.value)));
         element('cells-slider').addEventListener('input', ({ target }) => this.panel.setResolution(target.value));
         for (const choice of document.getElementsByName('rounding'))
             choice.addEventListener('change', () => this.panel.chooseAccuracy(choice.value));
@@ -152,9 +143,10 @@ export class Story {
     /** To the console: nothing moves that is not moved by hand. */
     close() {
         this.isOpen = false;
+        document.body.classList.remove('is-waiting');
+        this.panel.tellAbout('box');
         this.motion?.stop();
-        this.page.view.corners.show(null);
-        this.page.view.box.turnOn(true);
+        this.showFigure(null);
         document.body.classList.add('has-console');
         element('console').setAttribute('aria-pressed', true);
     }
@@ -169,37 +161,99 @@ export class Story {
     }
 
     async showStep(step) {
-        const { page, panel, motion } = this, { view } = page;
+        const { page, panel, motion } = this, sliders = [...document.querySelectorAll('.box-size')];
+        const article = this.articles[this.at], isNew = this.scene !== step.scene;
         motion?.stop();
+        for (const slider of sliders) slider.value = step.size ?? 1;
+        panel.tellAbout(step.test?.cells ? 'cells' : 'box');
         panel.choose(step.test ?? {});
-        if (this.scene !== step.scene) {
-            this.scene = step.scene;
-            view.corners.show(null);
-            await panel.onScene(step.scene);
-        } else page.reset();
+        this.showFigure(null);
+        this.scene = step.scene;
+        this.isWaiting = isNew;
+        for (const dimmed of [document.body, article]) dimmed.classList.toggle('is-waiting', isNew);
+        if (isNew) {
+            element('visits').textContent = '';
+            this.loading = panel.onScene(step.scene);
+        }
+        await this.loading; // which an earlier step with the same mesh may have begun
+        article.classList.remove('is-waiting');
         if (!this.isOpen || step !== this.step) return;
-        for (const slider of document.querySelectorAll('.box-size')) slider.value = step.size ?? 1;
-        if (step.size) this.size(step.size);
-        view.box.turnOn(!step.hasCorners);
-        view.corners.show(step.hasCorners ? page.mesh : null);
-        if (step.hasCorners) this.reshape(page.mesh.triangles);
+        this.isWaiting = false;
+        document.body.classList.remove('is-waiting');
+        if (!isNew) page.reset();
+        if (step.size) this.size(Number(sliders[0].value));
+        this.showFigure(step);
         if (step.moves) motion?.runUntilTouched();
         if (step.isMeasured) await page.measure();
     }
 
+    /** What is drawn over the stage; step: null for nothing. */
+    showFigure(step) {
+        const { view, mesh } = this.page, hasFigure = Boolean(step?.triangle);
+        document.body.classList.toggle('has-figure', hasFigure);
+        document.body.classList.toggle('has-lanes', Boolean(step?.hasLanes));
+        view.box.turnOn(!hasFigure, !step?.hasLanes);
+        this.chosen = null;
+        this.page.isOne = hasFigure;
+        if (hasFigure) {
+            mesh.triangles = Float32Array.from(step.triangle);
+            view.stage.lookFrom(step.isFlat ? 'front' : 'z', step.isFlat ? 4.5 : 5.4);
+        }
+        const shown = hasFigure || step?.hasLanes ? mesh : null;
+        view.figure.show(shown, { isFlat: step?.isFlat, box: step?.hasLanes ? () => this.page.box() : undefined });
+        if (hasFigure) this.reshape(mesh.triangles);
+    }
+
+    /** As the picture was first. */
+    restart() {
+        if (this.isOpen && this.step.triangle) this.showFigure(this.step);
+    }
+
     /** Of the one triangle. */
     reshape(triangle) {
-        this.showAxes(axesOf(triangle));
+        this.look(triangle);
         this.page.reshape(triangle);
     }
 
-    answered({ overlapping, visits, unlike }, mesh) {
-        if (!this.isOpen) return;
-        if (this.step?.hasCorners) {
-            const apart = axesOf(mesh.triangles).filter(({ gap }) => gap > 0).length;
-            element('verdict').textContent = overlapping
-                ? 'They overlap: no axis shows a gap.'
-                : `They are apart: ${apart === 1 ? 'one axis shows' : `${apart} axes show`} a gap.`;
+    /** An axis of the list is shown until it is pressed again, or else the one that shows most. */
+    choose(i) {
+        this.chosen = this.chosen === i ? null : i;
+        this.look(this.page.mesh.triangles);
+        this.tell();
+    }
+
+    look(triangle) {
+        const { figure } = this.page.view, list = this.axes[this.at];
+        if (!list) return figure.turn(figure.angle);
+        const all = axesOf(triangle).filter(({ group }) => list.groups.includes(group)), slacks = all.map(slackOf);
+        const shown = this.chosen ?? slacks.indexOf(Math.max(...slacks));
+        this.gaps = all.filter(({ gap }) => gap > 0);
+        list.show(all, shown, this.chosen !== null);
+        figure.look(all[shown]);
+    }
+
+    /** What the library says, and how the figure shows it. */
+    tell() {
+        const { overlapping, gaps, step } = this;
+        if (!step?.triangle || overlapping === undefined) return;
+        const say = (text) => (this.articles[this.at].querySelector('.verdict').textContent = text);
+        if (overlapping) return say('They overlap: no axis shows a gap.');
+        if (step.isFlat)
+            return say(this.page.view.figure.shown.gap ? 'A gap: they are apart.' : 'No gap on this axis, but they are apart: turn it.');
+        const [only] = gaps, show = gaps.length === 1 ? `${nameOf(only)} alone shows a gap` : `${gaps.length} axes show a gap`;
+        say(`They are apart${gaps.length ? `: ${show}.` : ', but none of these axes shows it.'}`);
+    }
+
+    async answered({ overlapping, visits, unlike }) {
+        if (!this.isOpen || this.isWaiting) return;
+        this.overlapping = overlapping;
+        this.tell();
+        if (this.step?.hasLanes) {
+            const left = await this.lanes.show(this.page.engine, this.page.box());
+            if (left !== null)
+                element('lanes-left').textContent = left
+                    ? `${left} of the eight overlap${left === 1 ? 's' : ''} the box.`
+                    : 'All eight are apart: the tests that are left are skipped.';
         }
         if (visits) {
             const looked = visits.roots + visits.nodes.length / 6;

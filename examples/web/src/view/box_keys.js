@@ -45,7 +45,7 @@ export function addBoxKeys(stage, box, setMode) {
     stage.canvas.addEventListener('keydown', (event) => {
         if (!box.isOn || event.ctrlKey || event.metaKey) return;
         const arrow = ARROWS[event.key], factor = event.altKey ? FINE : 1;
-        if (arrow) (event.shiftKey ? turn : move)(...arrow, factor);
+        if (arrow) (event.shiftKey && box.turns ? turn : move)(...arrow, factor);
         else if (others[event.key]) others[event.key]();
         else if (modes[event.key]) return setMode(modes[event.key]);
         else return;

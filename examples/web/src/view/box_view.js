@@ -56,9 +56,10 @@ export class BoxView {
         this.handles.getHelper().visible = this.isOn;
     }
 
-    /** Whether it can be moved by hand. */
-    turnOn(isOn) {
+    /** Whether it can be moved by hand, and turned. */
+    turnOn(isOn, turns = true) {
         this.isOn = this.handles.enabled = isOn;
+        this.turns = turns;
         this.handles.getHelper().visible = isOn && this.pose.visible;
         this.stage.draw();
     }

@@ -3,8 +3,8 @@ import { PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Budget, drawsInSoftware } from './budget.js';
 
-const UP = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
-const FROM = { y: new Vector3(0.55, 0.5, 1), z: new Vector3(0.5, -1, 0.75) };
+const UP = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1), front: new Vector3(0, 1, 0) };
+const FROM = { y: new Vector3(0.55, 0.5, 1), z: new Vector3(0.5, -1, 0.75), front: new Vector3(0, 0, 1) };
 const REST_MS = 250;
 
 /** Draws nothing, where there is no WebGL: all else goes on as if it did. */
@@ -16,8 +16,9 @@ function rendererOf(canvas, antialias) {
 }
 
 export class Stage {
-    constructor(canvas, isStill) {
-        this.canvas = canvas;
+    /** below: what lies over the lower part of the picture, and is not to cover the mesh. */
+    constructor(canvas, isStill, below) {
+        Object.assign(this, { canvas, below });
         this.isStill = isStill; // whether motion is to be reduced
         const software = drawsInSoftware();
         this.renderer = rendererOf(canvas, !software);
@@ -29,14 +30,14 @@ export class Stage {
         this.camera = new PerspectiveCamera(32, 1, 0.02, 60);
         this.beforeDraw = [];
         this.afterResize = [];
-        new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+        const observer = new ResizeObserver(() => this.resize());
+        for (const element of [canvas.parentElement, below]) observer.observe(element);
     }
 
-    /** A view of everything, with this axis up. Called after everything else that listens to the pointer, so that it comes first. */
-    lookFrom(up) {
-        const isWide = this.camera.aspect > 1;
+    /** A view of everything, or from farther away, with this axis up. Called after everything else that listens to the pointer, so that it comes first. */
+    lookFrom(up, away = 3.6) {
         this.camera.up.copy(UP[up]);
-        this.camera.position.copy(FROM[up]).normalize().multiplyScalar(isWide ? 3.6 : 5);
+        this.camera.position.copy(FROM[up]).setLength(away / Math.min(1, this.camera.aspect));
         this.orbit?.dispose();
         this.orbit = Object.assign(new OrbitControls(this.camera, this.canvas), {
             ...{ enableDamping: !this.isStill, dampingFactor: 0.12 },
@@ -51,8 +52,9 @@ export class Stage {
         const { clientWidth, clientHeight } = this.canvas.parentElement;
         if (!clientWidth || !clientHeight) return;
         this.renderer.setSize(clientWidth, clientHeight, false);
-        this.camera.aspect = clientWidth / clientHeight;
-        this.camera.updateProjectionMatrix();
+        const covered = this.below.offsetHeight && clientHeight - this.below.offsetTop, free = clientHeight - covered;
+        this.camera.aspect = clientWidth / free;
+        this.camera.setViewOffset(clientWidth, free, 0, 0, clientWidth, clientHeight);
         for (const listener of this.afterResize) listener(clientWidth, clientHeight);
         this.draw();
     }
