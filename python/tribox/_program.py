@@ -55,7 +55,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
     place once; faces are triangles, into which polygons are cut. mesh.face_colors are the colours of the faces, uint8 of shape
     (n, 3), those of PLY, OFF, materials and corners; None if the file has none.
 
-    It takes the program, which is found on PATH, or where the environment variable TRIBOX_PROGRAM says.
+    It takes the program, on all processors, which is found on PATH, or where the environment variable TRIBOX_PROGRAM says.
 
     Raises InputError for what is no mesh, OSError for a file that is not there, and Error without the program. What the program
     warns of, such as triangles with a NaN, are warnings.
@@ -66,7 +66,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
         pass
     with tempfile.TemporaryDirectory(prefix="tribox-") as folder:
         out = os.path.join(folder, "mesh.npz")
-        run("tribox.read", "info", "--quiet", "--out", out, "--", os.path.join(".", path), stacklevel=3)
+        run("tribox.read", "info", "--quiet", "--out", out, "--", os.fspath(path), stacklevel=3)
         with np.load(out, allow_pickle=False) as arrays:
             mesh = Mesh(arrays["vertices"], arrays["faces"])
             mesh._face_colors = arrays["colours"] if "colours" in arrays.files else None
