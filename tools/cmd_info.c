@@ -23,7 +23,7 @@ static const char help[] = "tribox info - version, processor and kernels; or wha
                            "\n"
                            "  -o, --out FILE.npz    write the mesh for NumPy: vertices, faces and, where it has some, colours\n"
                            "  -j, --json            print a JSON object\n"
-                           "  -q, --quiet           print nothing of the mesh\n"
+                           "  -q, --quiet           print no progress, and nothing of a mesh that is written\n"
                            "  -h, --help            print this text\n"
                            "\n"
                            "A kernel is the test compiled for one instruction set. EXACT answers are the same with every\n"
@@ -99,13 +99,13 @@ static int print_mesh(const request *r, const mesh *m, const mesh_colours *colou
     const char *const type = m->is_double ? "float64" : "float32", *const of = colours->of ? colours->from : NULL;
     const tribox_box *const b = &m->bounds;
     const bool has_bounds = m->not_finite < m->triangles;
-    if (r->is_quiet)
+    if (r->is_quiet && r->out_path)
         return EXIT_CODE_OK;
     if (!r->wants_json) {
         printf("mesh         %s\ntriangles    %zu\npositions    %s\ncolours      %s%s\n", r->mesh_path, m->triangles, type,
                of ? "of its " : "none", of ? of : "");
         if (has_bounds)
-            printf("lo           %.9g, %.9g, %.9g\nhi           %.9g, %.9g, %.9g\n", b->lo[0], b->lo[1], b->lo[2], b->hi[0],
+            printf("lo           %.6g, %.6g, %.6g\nhi           %.6g, %.6g, %.6g\n", b->lo[0], b->lo[1], b->lo[2], b->hi[0],
                    b->hi[1], b->hi[2]);
         return output_flush();
     }
@@ -160,8 +160,6 @@ static int answer_mesh(const request *r)
     const file_out_names names = {{"--out"}, {r->out_path}};
     if (r->out_path && (file_out_is_stdout(r->out_path) || !mesh_kind_has_ending(r->out_path, ".npz")))
         return message_usage("--out: '%s' is no name that ends in .npz", r->out_path);
-    if (r->wants_json && r->is_quiet)
-        return message_usage("--json and --quiet exclude each other");
     int code = file_out_check(&names, "mesh", &r->mesh_path, 1);
     reading_show(!r->is_quiet);
     if (!code)
@@ -185,8 +183,8 @@ static int answer(void *asked, const options_found *found)
     (void)found;
     if (r->mesh_path)
         return answer_mesh(r);
-    if (r->out_path || r->is_quiet)
-        return message_usage("%s is of a mesh: give one", r->out_path ? "--out" : "--quiet");
+    if (r->out_path)
+        return message_usage("--out is of a mesh: give one");
     processors_name(processor, sizeof processor);
     return r->wants_json ? print_json(processor) : print_text(processor);
 }
