@@ -76,6 +76,33 @@ class Places(Files):
                        "save the mesh as a file, which takes less", "voxelize", "-", "--format", "f32", "-c", "1", "--axes", "box",
                        "-o", self.path("x.raw"), stdin=bytes(72 << 20), limit=limit)
 
+    def test_whole_from_a_pipe(self):
+        """What is read as a whole, of a few bytes and of more than are read at once, with another name than its own as well."""
+        many, tenths = meshes.lattice_triangles(40000, seed=3), np.array(LATTICE) + 0.1
+        for form, content in (("ply", meshes.ply_of(LATTICE)), ("ply", meshes.ply_of(LATTICE, "ascii")),
+                              ("ply", meshes.ply_of(tenths, kind="double")), ("ply", meshes.ply_of(many)),
+                              ("off", meshes.off(LATTICE)), ("obj", meshes.obj(LATTICE)), ("obj", meshes.obj(many))):
+            path, other, pipe = self.write("m." + form, content), self.write("m.other", content), ("-", "--format", form)
+            for words in (("-r", "20"), ("-r", "20", "--shift", "auto", "--ids")):
+                whole = self.out("voxelize", path, *words)
+                self.assertEqual(self.out("voxelize", *pipe, *words, stdin=content), whole, form)
+                self.assertEqual(self.out("voxelize", other, *pipe[1:], *words), whole, form)
+            self.assertEqual(self.overlap("-", harness.UNIT_BOX, *pipe[1:], stdin=content)["indices"],
+                             self.overlap(path, harness.UNIT_BOX)["indices"])
+            for folder, *mesh in (("a", path), ("b", *pipe)):
+                self.succeed("partition", *mesh, "-r", "20", "-q", "-o", self.path(folder), stdin=content)
+            self.assertEqual(read(self.path("a/triangles")), read(self.path("b/triangles")))
+            shutil.rmtree(self.path("a"))
+            shutil.rmtree(self.path("b"))
+        words = ("voxelize", "-", "-r", "9", "-o", self.path("x.npz"), "--format")
+        for form, content, why in (("ply", b"", "the file is empty"), ("ply", meshes.ply_of(LATTICE)[:-3], ".*the file ends"),
+                                   ("obj", b"v 1 2 3\n", "contains no triangles"), ("off", b"solid", ""), ("ply", b"OFF", "")):
+            self.fail_with(1, "stdin:(1:)? " + why, *words, form, stdin=content)
+        self.fail_with(1, "stdin: its colours need the mesh as a file", *words, "ply", "--colours", stdin=meshes.ply_of(LATTICE))
+        limit = self.need_limit(resource.RLIMIT_AS, 64 * MIB)
+        self.fail_with(1, "stdin: out of memory after [0-9]+ bytes; save it as binary .ply, which 'tribox partition' and 'tribox "
+                       "voxelize' sort on the disk, or in pieces", *words, "obj", stdin=meshes.obj(LATTICE) * 50000, limit=limit)
+
     def test_nobody_takes_it(self):
         """A reader that has gone, a full disk, a terminal."""
         takes_none, gone = os.pipe()

@@ -38,7 +38,7 @@ WRONG = {
         (".* exclude each other", *B, "--oriented", UNIT_ORIENTED),
         (".* exclude each other", *A, "--boxes", "-", "--oriented", UNIT_ORIENTED),
         ("--list with --boxes needs --json", *A, "--boxes", "-", "--list"),
-        ("standard input needs its format: --format stl, f32 or f64", "-", "--box", UNIT_BOX),
+        ("standard input needs its format: --format ply, off, stl, obj, f32 or f64;", "-", "--box", UNIT_BOX),
         ("--boxes needs the mesh as a file", "-", "--format", "stl", "--boxes", "b.txt"),
         (".*'a.obj' is one file too many", "-", *B, "--format", "stl"),
         ("--inside counts triangles and --list lists them", *B, "--inside", "--list", "--json"),
@@ -49,7 +49,7 @@ WRONG = {
         *(("%s: '.*' is none of .*" % option, *B, option, value) for option, values in (
             ("--accuracy", ("", "Exact", "exactly", "e")), ("--axes", ("", "box,", ",box", "box,planes", "box plane", "all")),
             ("--order", ("", "0", "12", "1234", "322", "3 1 2")), ("--kernel", ("", "AVX2", "avx", "best")),
-            ("--format", ("", "STL", "ply", "f16", ".stl"))) for value in values),
+            ("--format", ("", "STL", "gltf", "f16", ".stl"))) for value in values),
         ("-o and --rest write the faces about one box", *A, "--boxes", "b", "-o", "x.obj"),
         ("-o and --rest need the mesh as a file", "-", "--box", UNIT_BOX, "--format", "stl", "-o", "x.stl"),
         ("-o and --rest cannot both go to standard output", *B, "-o", "-", "--rest", "-"),
@@ -86,7 +86,7 @@ WRONG = {
            *CELL, "-o", name)
           for name in ("x", "x.txt", ".npy", "x.NPY", "")),
         *(("--preview: '%s' does not end in .png" % name, *V, "--preview", name) for name in ("p.jpg", "png", ".png", "", "-")),
-        ("standard input needs its format: --format stl, f32 or", "-", "-r", "8", "-o", "x.npy"),
+        ("standard input needs its format: --format ply, off, stl, ", "-", "-r", "8", "-o", "x.npy"),
         ("standard output needs its format, --out-format WORD: one of npz, ", *CELL, "-o", "-"),
         ("--out-format: 'png' is none of npz, vdb", *CELL, "-o", "-", "--out-format", "png"),
         ("--json and -o - exclude", *CELL, "-o", "-", "--out-format", "raw", "--json"),

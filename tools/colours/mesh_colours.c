@@ -333,16 +333,22 @@ static int read_others(const char *path, mesh_colours *to)
     return EXIT_CODE_OK;
 }
 
+static mesh_kind kind_of(const char *path, triangle_format format)
+{
+    return format == TRIANGLES_OTHER ? mesh_kind_of(path) : triangle_format_kind(format);
+}
+
 /* Whether it is of a format whose colours are read. */
 static bool are_read(const char *path, triangle_format format, mesh_kind kind)
 {
-    return format == TRIANGLES_OTHER && kind != MESH_STL_TEXT && triangle_format_of(path) == TRIANGLES_OTHER;
+    const triangle_format listed = format == TRIANGLES_OTHER ? triangle_format_of(path) : format;
+    return kind != MESH_STL_TEXT && (listed == TRIANGLES_OTHER || listed >= TRIANGLES_KINDS);
 }
 
 int mesh_colours_find(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
                       mesh_colours *colours)
 {
-    const mesh_kind kind = format == TRIANGLES_OTHER ? mesh_kind_of(path) : MESH_OTHER;
+    const mesh_kind kind = kind_of(path, format);
     *colours = (mesh_colours){.triangles = triangles, .from = "vertices"};
     if (!are_read(path, format, kind))
         return EXIT_CODE_OK;
@@ -358,12 +364,14 @@ int mesh_colours_find(const char *path, triangle_format format, size_t triangles
 int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
                       mesh_colours *colours)
 {
+    if (!strcmp(path, "-") && format >= TRIANGLES_KINDS)
+        return message_failure("stdin: its colours need the mesh as a file, since it is read twice");
     const int code = mesh_colours_find(path, format, triangles, outputs, colours);
     if (code || colours->of)
         return code;
-    const mesh_kind kind = format == TRIANGLES_OTHER ? mesh_kind_of(path) : MESH_OTHER;
     return message_failure("%s: %s: %s", triangle_file_name(path),
-                           are_read(path, format, kind) ? "has no colours" : "no colours of its format are read", advice);
+                           are_read(path, format, kind_of(path, format)) ? "has no colours" : "no colours of its format are read",
+                           advice);
 }
 
 void mesh_colours_free(mesh_colours *colours)

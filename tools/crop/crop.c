@@ -30,7 +30,9 @@ static int find_format(triangle_format given, crop_files *f)
     triangle_file_close(&triangles);
     if (code)
         return code;
-    f->kind = f->format == TRIANGLES_OTHER ? mesh_kind_of(f->mesh_path) : MESH_OTHER;
+    f->kind = given >= TRIANGLES_KINDS       ? triangle_format_kind(given)
+              : f->format == TRIANGLES_OTHER ? mesh_kind_of(f->mesh_path)
+                                             : MESH_OTHER;
     if (f->format != TRIANGLES_OTHER || f->kind != MESH_OTHER)
         return EXIT_CODE_OK;
     return message_failure("%s: -o and --rest write " MESH_ENDINGS

@@ -183,7 +183,7 @@ static int answer_mesh(const request *r, crop_files *files)
     int code = mesh_read_shifted(r->mesh_path, r->format, &own.shift, r->threads, NULL, &m);
     if (code)
         return code;
-    mesh_warn(r->mesh_path, &m);
+    mesh_warn(triangle_file_name(r->mesh_path), &m);
     code = r->boxes_path ? answer_boxes(&m, &own) : answer_box(&m, &own, files);
     mesh_free(&m);
     return code;

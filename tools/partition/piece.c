@@ -284,7 +284,8 @@ static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned t
         p->is_double = triangle_layouts[p->format].number_bytes == sizeof(double);
         return EXIT_CODE_OK;
     }
-    p->ply = ply_piece_open(p->path, is_wide);
+    if (strcmp(p->path, "-"))
+        p->ply = ply_piece_open(p->path, is_wide);
     if (p->ply.faces) {
         p->triangles = p->ply.triangles;
         p->is_double = p->ply.is_double;

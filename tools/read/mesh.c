@@ -3,6 +3,7 @@
 #include "mesh.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "console/message.h"
 #include "mesh_file.h"
@@ -35,13 +36,14 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
     return code;
 }
 
-int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
+/* kind: OTHER for what the file says itself. */
+static int read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned threads, mesh *m)
 {
+    const char *const path = triangle_file_name(from);
     whole_file file;
     indexed_mesh indexed = {.positions = NULL};
-    mesh_kind kind = MESH_OTHER;
-    int code = whole_file_read(path, &file);
-    if (!code) {
+    int code = whole_file_read(from, &file);
+    if (!code && kind == MESH_OTHER) {
         words first = words_of(path, &file, '#');
         words_next(&first);
         kind = mesh_kind_by(path, &first);
@@ -62,6 +64,11 @@ int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
     return code;
 }
 
+int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
+{
+    return read_slowly(path, MESH_OTHER, is_wide, threads, m);
+}
+
 bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t chunk_bytes, mesh *m)
 {
     plain_file file = {.path = path, .threads = threads, .is_wide = is_wide, .chunk_bytes = chunk_bytes};
@@ -73,10 +80,13 @@ bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t ch
     return is_read;
 }
 
-static int read_whole(const char *path, bool is_wide, unsigned threads, mesh *m)
+/* kind: that which was given. */
+static int read_whole(const char *path, mesh_kind kind, bool is_wide, unsigned threads, mesh *m)
 {
-    return mesh_read_plain(path, is_wide, threads, PLAIN_CHUNK_BYTES, m) ? EXIT_CODE_OK
-                                                                         : mesh_read_slowly(path, is_wide, threads, m);
+    const bool may_be_plain = strcmp(path, "-") && (kind == MESH_OTHER || kind == mesh_kind_of(path));
+    return may_be_plain && mesh_read_plain(path, is_wide, threads, PLAIN_CHUNK_BYTES, m)
+               ? EXIT_CODE_OK
+               : read_slowly(path, kind, is_wide, threads, m);
 }
 
 int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh_overflow *over, mesh *m)
@@ -85,7 +95,8 @@ int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsig
     *m = (mesh){.coordinates = NULL};
     int code = triangle_file_open(path, format, &file);
     if (!code)
-        code = file.stream ? mesh_read_triangles(&file, threads, over, m) : read_whole(path, is_wide, threads, m);
+        code = file.stream ? mesh_read_triangles(&file, threads, over, m)
+                           : read_whole(path, triangle_format_kind(format), is_wide, threads, m);
     triangle_file_close(&file);
     if (code)
         mesh_free(m);

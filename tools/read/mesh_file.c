@@ -8,6 +8,7 @@
 #include <strings.h>
 
 #include "console/message.h"
+#include "console/system.h"
 #include "files/files.h"
 #include "plain.h"
 #include "mesh_file.h"
@@ -43,10 +44,32 @@ static int read_bytes(const char *path, FILE *stream, whole_file *file)
     return message_failure("%s: cannot read the file: %s", path, reason);
 }
 
+/* Its size is known at its end. */
+static int read_stdin(whole_file *file)
+{
+    const size_t piece = (size_t)1 << 22;
+    size_t room = 0, got = piece;
+    while (got == piece) {
+        char *const bytes = room < memory_available() ? memory_grow(file->bytes, file->size + piece + 1, &room, 1) : NULL;
+        if (!bytes)
+            return message_failure("stdin: out of memory after %zu bytes" MESH_TO_SORT, file->size);
+        file->bytes = bytes;
+        errno = 0;
+        got = fread(bytes + file->size, 1, piece, stdin);
+        file->size += got;
+    }
+    file->bytes[file->size] = '\0';
+    if (ferror(stdin))
+        return message_failure("stdin: cannot read the mesh: %s", strerror(errno));
+    return file->size ? EXIT_CODE_OK : message_failure("stdin: the file is empty");
+}
+
 int whole_file_read(const char *path, whole_file *file)
 {
     file_about about;
     *file = (whole_file){NULL, 0};
+    if (!strcmp(path, "-"))
+        return read_stdin(file);
     if (!named_file_about(path, &about))
         return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
     if (about.kind != FILE_KIND_REGULAR)

@@ -11,7 +11,10 @@ typedef struct whole_file {
     size_t size;
 } whole_file;
 
-/* Reads a regular file that is not empty. Returns an exit_code; whole_file_free may follow in any case. */
+/*
+ * Reads a regular file that is not empty, or "-", standard input, to its end. Returns an exit_code; whole_file_free may follow in
+ * any case.
+ */
 int whole_file_read(const char *path, whole_file *file);
 
 void whole_file_free(whole_file *file);
@@ -33,6 +36,8 @@ typedef enum mesh_kind { MESH_KINDS(MESH_KIND) MESH_OTHER } mesh_kind;
 /* What is read here, for messages and help. */
 #define MESH_KIND_ENDING(kind, name, word, ending, ...) ending ", "
 #define MESH_ENDINGS MESH_KINDS(MESH_KIND_ENDING) ".f32 or .f64"
+#define MESH_KIND_NAME(kind, name, ...) #name ", "
+#define MESH_FORMATS MESH_KINDS(MESH_KIND_NAME) "f32 or f64"
 
 /* What a line says that there is no memory for a mesh which has to be read as a whole. */
 #define MESH_TO_SORT "; save it as binary .ply, which 'tribox partition' and 'tribox voxelize' sort on the disk, or in pieces"

@@ -9,6 +9,7 @@
 #include <strings.h>
 
 #include "little.h"
+#include "console/known_word.h"
 #include "console/message.h"
 #include "files/files.h"
 #include "tribox.h"
@@ -19,19 +20,26 @@ const triangle_layout triangle_layouts[] = {[TRIANGLES_STL] = {"stl", ".stl", ST
                                             [TRIANGLES_F32] = {"f32", ".f32", 0, NUMBERS * sizeof(float), 0, sizeof(float)},
                                             [TRIANGLES_F64] = {"f64", ".f64", 0, NUMBERS * sizeof(double), 0, sizeof(double)}};
 
+#define WORD(kind, name, ...) #name " "
+
 int triangle_format_read(const char *text, triangle_format *format)
 {
-    for (*format = TRIANGLES_STL; *format <= TRIANGLES_F64; ++*format)
-        if (!strcmp(text, triangle_layouts[*format].word))
-            return EXIT_CODE_OK;
-    return message_usage("--format: '%s' is none of stl, f32, f64", text);
+    unsigned n;
+    const int code = choice_read("--format", text, strlen(text), MESH_KINDS(WORD) "f32 f64", NULL, &n);
+    *format = n >= MESH_OTHER ? TRIANGLES_F32 + (n - MESH_OTHER) : n == MESH_STL_TEXT ? TRIANGLES_STL : TRIANGLES_KINDS + n;
+    return code;
+}
+
+mesh_kind triangle_format_kind(triangle_format format)
+{
+    return format < TRIANGLES_KINDS ? MESH_OTHER : (mesh_kind)(format - TRIANGLES_KINDS);
 }
 
 static bool is_stdin(const char *path) { return !strcmp(path, "-"); }
 
 int triangle_format_check(const char *path, triangle_format format)
 {
-    return is_stdin(path) && format == TRIANGLES_OTHER ? message_usage("standard input needs its format: --format stl, f32 or f64")
+    return is_stdin(path) && format == TRIANGLES_OTHER ? message_usage("standard input needs its format: --format " MESH_FORMATS)
                                                        : EXIT_CODE_OK;
 }
 
@@ -129,7 +137,7 @@ int triangle_file_open(const char *path, triangle_format format, triangle_file *
     const bool is_given = format != TRIANGLES_OTHER;
     *file = (triangle_file){
         .name = triangle_file_name(path), .format = is_given ? format : triangle_format_of(path), .size = UINT64_MAX};
-    if (file->format == TRIANGLES_OTHER)
+    if (file->format == TRIANGLES_OTHER || file->format >= TRIANGLES_KINDS)
         return EXIT_CODE_OK;
     const int code = open_stream(path, file);
     return code ? code : file->format == TRIANGLES_STL ? open_stl(file, is_given) : open_raw(file);

@@ -6,13 +6,18 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "mesh_file.h"
+
 /* How triangles lie in a file. Its name decides where nothing else does: .stl, .f32, .f64, or OTHER. */
 typedef enum triangle_format {
     TRIANGLES_OTHER, /* in neither of these ways */
     TRIANGLES_STL,   /* binary STL: a header of 84 bytes that ends in their number, then 50 bytes each */
     TRIANGLES_F32,   /* nine little-endian float32 each and nothing else */
-    TRIANGLES_F64    /* nine little-endian float64 each and nothing else */
+    TRIANGLES_F64,   /* nine little-endian float64 each and nothing else */
+    TRIANGLES_KINDS  /* and what follows, a mesh_kind each: as OTHER, but read as that, whatever the name */
 } triangle_format;
+
+mesh_kind triangle_format_kind(triangle_format format); /* OTHER where it is none of these */
 
 /* Triangles of a block: whole words of a mask, in streams that fit the cache. */
 enum { TRIANGLE_BLOCK = 4096 };
@@ -49,7 +54,7 @@ void triangles_unpack(triangle_format format, size_t count, unsigned char *bytes
 /* The format by the ending of a name. */
 triangle_format triangle_format_of(const char *path);
 
-/* Reads a format by its name, "stl", "f32" or "f64". Returns an exit_code. */
+/* Reads a format by its name. Returns an exit_code. */
 int triangle_format_read(const char *text, triangle_format *format);
 
 /* Refuses standard input of no given format. Returns an exit_code. */

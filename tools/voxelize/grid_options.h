@@ -15,7 +15,7 @@ enum { GRID_FORMAT, GRID_SHIFT, GRID_RESOLUTION, GRID_CELL, GRID_ORIGIN, GRID_SI
               [(from) + GRID_ORIGIN] = {"origin", 0, true}, [(from) + GRID_SIZE] = {"size", 0, true}
 
 #define GRID_HELP \
-    "      --format WORD       stl, f32 or f64, whatever the name of MESH; standard input needs it\n" \
+    "      --format WORD       " MESH_FORMATS "; standard input needs it\n" \
     "      --shift X,Y,Z|auto  subtract this from MESH first, in double; auto: near its corner\n" \
     "  -r, --resolution N      N cubic cells along the longest side of the mesh; at most 262144\n" \
     "  -c, --cell S[,S,S]      length of a cell, or its lengths along x, y and z\n" \
