@@ -445,6 +445,14 @@ class Partitions(Voxels):
         self.assertEqual(self.out("voxelize", path, *words, limit=limit), whole)
         self.succeed("partition", path, *words, "-q", "-o", self.path("t"), limit=limit)
         self.assertEqual(self.out("voxelize", self.path("t"), "--ids", limit=limit), whole)
+        for name, mesh in (("a", path), ("b", self.mesh_of(SMALL + 0.1, "wide"))):  # floats, which become doubles, and doubles
+            self.succeed("partition", mesh, *GRID, "--ids", "-q", "-o", self.path(name))
+        both = ("voxelize", self.path("a"), self.path("b"), "--ids")
+        self.assertEqual(self.out(*both, limit=limit), self.out(*both))
+        with open(self.path("a/numbers"), "r+b") as file:
+            file.seek(4000000)
+            file.write(b"xxxx")
+        self.refuse_partition(1, "a: damaged: the checksum of its triangles does not match", *both[:2], "--count", limit=limit)
 
     def test_layouts_of_ply(self):
         """Faces that refer to vertices anywhere; one element more, of nothing, has the file read as a whole."""
