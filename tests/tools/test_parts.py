@@ -409,7 +409,9 @@ class Partitions(Voxels):
         for count, memory, (form, pack) in itertools.product(
                 (100, 150000), (1000, 3 << 20, 9 << 20),
                 (("f32", meshes.pack_floats), ("stl", meshes.stl_binary), ("f64", lambda t: meshes.pack_floats(t, "<f8")))):
-            mesh, words = pack(np.resize(SMALL, (count, 3, 3))), (*GRID, "--ids") if count < 1000 else GRID
+            pick = np.random.default_rng(SEED)  # each triangle has cells of its own
+            t = pick.uniform(-2, 2, (count, 1, 3)) + pick.uniform(-0.01, 0.01, (count, 3, 3))
+            mesh, words = pack(t), (*GRID, "--ids") if count < 1000 else GRID
             path, pipe = self.write("m." + form, mesh), ("voxelize", "-", "--format", form)
             whole, out = self.out("voxelize", path, *words), self.path("piped.npz")
             result = harness.run(*pipe, *words, "-m", str(memory), "-o", out, stdin=mesh)

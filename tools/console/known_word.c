@@ -10,7 +10,7 @@ enum { LONGEST = 24 };
 
 static unsigned least_of(unsigned a, unsigned b) { return a < b ? a : b; }
 
-/* A letter that is missing costs 1; one that is wrong, too much, or changed places with the next costs 2. */
+/* A letter that is missing costs 1; one that is wrong or too much costs 2. */
 static unsigned cost(const char *from, size_t from_length, const char *to, size_t to_length)
 {
     unsigned at[LONGEST + 1][LONGEST + 1];
@@ -22,8 +22,6 @@ static unsigned cost(const char *from, size_t from_length, const char *to, size_
             }
             const unsigned same = at[i - 1][j - 1] + (from[i - 1] == to[j - 1] ? 0 : 2);
             at[i][j] = least_of(same, least_of(at[i][j - 1] + 1, at[i - 1][j] + 2));
-            if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
-                at[i][j] = least_of(at[i][j], at[i - 2][j - 2] + 2);
         }
     return at[from_length][to_length];
 }
