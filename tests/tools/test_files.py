@@ -100,8 +100,8 @@ class Places(Files):
             self.fail_with(1, "stdin:(1:)? " + why, *words, form, stdin=content)
         self.fail_with(1, "stdin: its colours need the mesh as a file", *words, "ply", "--colours", stdin=meshes.ply_of(LATTICE))
         limit = self.need_limit(resource.RLIMIT_AS, 64 * MIB)
-        self.fail_with(1, "stdin: out of memory after [0-9]+ bytes; save it as binary .ply, which 'tribox partition' and 'tribox "
-                       "voxelize' sort on the disk, or in pieces", *words, "obj", stdin=meshes.obj(LATTICE) * 50000, limit=limit)
+        self.fail_with(1, "stdin: out of memory after [0-9]+ bytes; save it as binary .stl, .f32 or .f64, which 'tribox voxelize' "
+                       "and 'tribox partition' sort on the disk", *words, "obj", stdin=meshes.obj(LATTICE) * 50000, limit=limit)
 
     def test_nobody_takes_it(self):
         """A reader that has gone, a full disk, a terminal."""

@@ -40,7 +40,7 @@ typedef enum mesh_kind { MESH_KINDS(MESH_KIND) MESH_OTHER } mesh_kind;
 #define MESH_FORMATS MESH_KINDS(MESH_KIND_NAME) "f32 or f64"
 
 /* What a line says that there is no memory for a mesh which has to be read as a whole. */
-#define MESH_TO_SORT "; save it as binary .ply, which 'tribox partition' and 'tribox voxelize' sort on the disk, or in pieces"
+#define MESH_TO_SORT "; save it as binary .stl, .f32 or .f64, which 'tribox voxelize' and 'tribox partition' sort on the disk"
 
 const char *mesh_kind_ending(mesh_kind kind);
 
