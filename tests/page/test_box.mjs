@@ -5,7 +5,7 @@ import { openPage, PHONE, usualPage } from './browser.mjs';
 import { coarse, coarseFile } from './meshes.mjs';
 
 // Of the first view: on a face of the box, away from its handles, and on the ground.
-const ON_BOX = [355, 305], ON_GROUND = [40, 200], ON_RING = [302, 236], ON_BOX_OF_PHONE = [185, 258];
+const ON_BOX = [268, 199], ON_GROUND = [40, 200], ON_RING = [309, 165], ON_BOX_OF_PHONE = [182, 238];
 
 const boxOf = ({ command }) => command.match(/=([-\d.e,]+)/)[1].split(',').map(Number);
 
@@ -26,7 +26,7 @@ export async function begins() {
 export async function isDragged() {
     const page = await usualPage();
     let from = ON_BOX;
-    for (const to of [[300, 250], [370, 280]]) {
+    for (const to of [[213, 144], [283, 174]]) {
         const before = boxOf(await answerOf(page)), answer = await answerAfter(page, () => drag(page, from, to));
         const after = boxOf(answer), sides = [0, 1, 2].map((a) => after[a + 3] - after[a] - (before[a + 3] - before[a]));
         assert.ok(sides.every((change) => Math.abs(change) < 1e-5), `sides change by ${sides}`);
@@ -102,7 +102,7 @@ export async function turnsByHandle() {
     const page = await usualPage();
     await page.keyboard.press('Tab');
     await page.click('#mode [value=rotate]');
-    const answer = await answerAfter(page, () => drag(page, ON_RING, [310, 200]));
+    const answer = await answerAfter(page, () => drag(page, ON_RING, [317, 129]));
     assert.match(answer.command, /--oriented=/, 'the handle of the first view was missed');
     assertSame(answer, coarseFile);
 }

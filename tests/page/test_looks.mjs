@@ -5,9 +5,9 @@ import { DESK, openPage, PHONE, usualPage } from './browser.mjs';
 
 const themeOf = (page) => page.evaluate(() => document.documentElement.dataset.theme);
 
-/** How many pixels of the stage are near a colour of the style sheet, whatever the light. */
-async function pixelsLike(page, name) {
-    const picture = (await page.locator('canvas').screenshot()).toString('base64');
+/** How many pixels of the stage, or of a part, are near a colour of the style sheet, whatever the light. */
+async function pixelsLike(page, name, clip) {
+    const picture = (await (clip ? page.screenshot({ clip }) : page.locator('canvas').screenshot())).toString('base64');
     return page.evaluate(
         async ([base64, variable]) => {
             const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
@@ -46,6 +46,21 @@ export async function ringsAreDrawn() {
     await page.waitForFunction(() => document.getElementById('unlike-title').textContent.startsWith('FAST'));
     await page.waitForTimeout(300);
     assert.ok((await pixelsLike(page, 'unlike')) > 2000);
+}
+
+/** The mesh is above the counts, on a desk and on a phone. */
+export async function countsCoverNothing() {
+    for (const viewport of [{ width: 390, height: 844 }, { width: 800, height: 1000 }, { width: 1400, height: 900 }]) {
+        const page = await openPage({ query: '?step=0', options: { viewport, reducedMotion: 'reduce', colorScheme: 'dark' } });
+        await page.waitForTimeout(400);
+        const clip = await page.locator('.answer').boundingBox();
+        await page.addStyleTag({ content: '.answer { visibility: hidden }' });
+        for (const name of ['missed', 'straddling', 'inside']) {
+            assert.equal(await pixelsLike(page, name, clip), 0, `${viewport.width}: ${name}`);
+            assert.ok((await pixelsLike(page, name)) > 100, name);
+        }
+        await page.context().close();
+    }
 }
 
 /** WCAG's contrast of two colours of the style sheet. */

@@ -72,7 +72,7 @@ const given = new URLSearchParams(location.search); // ?workers=1; ?scene=millio
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
 function startView(onBox, onTriangle, onAxis) {
-    const stage = new Stage(element('canvas'), isStill, element('answer'));
+    const stage = new Stage(element('canvas'), isStill, element('tools'), element('answer'));
     document.body.classList.toggle('is-blind', stage.isBlind);
     const view = {
         stage,

@@ -16,9 +16,9 @@ function rendererOf(canvas, antialias) {
 }
 
 export class Stage {
-    /** below: what lies over the lower part of the picture, and is not to cover the mesh. */
-    constructor(canvas, isStill, below) {
-        Object.assign(this, { canvas, below });
+    /** above, below: what lies over the picture, and is not to cover the mesh. */
+    constructor(canvas, isStill, above, below) {
+        Object.assign(this, { canvas, above, below });
         this.isStill = isStill; // whether motion is to be reduced
         const software = drawsInSoftware();
         this.renderer = rendererOf(canvas, !software);
@@ -31,7 +31,7 @@ export class Stage {
         this.beforeDraw = [];
         this.afterResize = [];
         const observer = new ResizeObserver(() => this.resize());
-        for (const element of [canvas.parentElement, below]) observer.observe(element);
+        for (const element of [canvas.parentElement, above, below]) observer.observe(element);
     }
 
     /** A view of everything, or from farther away, with this axis up. Called after everything else that listens to the pointer, so that it comes first. */
@@ -52,9 +52,11 @@ export class Stage {
         const { clientWidth, clientHeight } = this.canvas.parentElement;
         if (!clientWidth || !clientHeight) return;
         this.renderer.setSize(clientWidth, clientHeight, false);
-        const covered = this.below.offsetHeight && clientHeight - this.below.offsetTop, free = clientHeight - covered;
-        this.camera.aspect = clientWidth / free;
-        this.camera.setViewOffset(clientWidth, free, 0, 0, clientWidth, clientHeight);
+        const { top } = this.canvas.getBoundingClientRect(), above = this.above.getBoundingClientRect();
+        const from = above.width > 0.9 * clientWidth ? Math.max(0, above.bottom - top) : 0; // or else in a corner
+        const to = this.below.offsetHeight ? this.below.offsetTop : clientHeight;
+        this.camera.aspect = clientWidth / (to - from);
+        this.camera.setViewOffset(clientWidth, to - from, 0, -from, clientWidth, clientHeight);
         for (const listener of this.afterResize) listener(clientWidth, clientHeight);
         this.draw();
     }
