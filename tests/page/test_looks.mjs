@@ -48,6 +48,18 @@ export async function ringsAreDrawn() {
     assert.ok((await pixelsLike(page, 'unlike')) > 2000);
 }
 
+/** What is drawn in place of a million triangles covers what a few thousand of the same shape do, and little else. */
+export async function coarserMeshesAreWhole() {
+    const covered = [];
+    for (const scene of ['coarse', 'million']) {
+        const page = await openPage({ query: `?scene=${scene}`, options: { ...DESK, reducedMotion: 'reduce' } });
+        await page.waitForTimeout(1500);
+        covered.push(await pixelsLike(page, 'missed'));
+        await page.context().close();
+    }
+    assert.ok(Math.abs(covered[1] / covered[0] - 1) < 0.1, `${covered}`);
+}
+
 /** The mesh is above the counts, on a desk and on a phone. */
 export async function countsCoverNothing() {
     for (const viewport of [{ width: 390, height: 844 }, { width: 800, height: 1000 }, { width: 1400, height: 900 }]) {

@@ -18,37 +18,63 @@ function areaOf(places) {
     return sum / count;
 }
 
-/** Some of the triangles; larger by `growth`, to cover what those between them did. */
-function someOf(places, room, growth) {
+/** Some of the triangles. */
+function someOf(places, room) {
     const count = places.length / 9, step = Math.ceil(count / room),
         numbers = new Uint32Array(Math.floor(count / step)), some = new Float32Array(9 * numbers.length);
     for (let i = 0; i < numbers.length; i++) {
         numbers[i] = i * step + ((Math.imul(i, 0x9e3779b1) >>> 8) % step); // not in rows
-        const nine = places.subarray(9 * numbers[i], 9 * numbers[i] + 9);
-        for (let k = 0; k < 9; k++) {
-            const middle = (nine[k % 3] + nine[3 + (k % 3)] + nine[6 + (k % 3)]) / 3;
-            some[9 * i + k] = middle + growth * (nine[k] - middle);
-        }
+        some.set(places.subarray(9 * numbers[i], 9 * numbers[i] + 9), 9 * i);
     }
     return { places: some, numbers };
 }
 
-/** A part of what there is room for is left to those that straddle. Small triangles are drawn larger, to cover what all did. */
-function sampleOf(places, frame, most, coarse) {
-    const room = roomFor(areaOf(places), most), count = places.length / 9, part = Math.floor(room / 2);
-    if (count <= room) return null;
-    if (!coarse) return someOf(places, part, room < most.triangles ? 1 : Math.sqrt((2 * count) / part));
-    const { triangles, numbers } = coarse(part);
-    return { places: placesOf(triangles, frame), numbers };
+const FINEST = 160;
+
+/**
+ * All of it, coarser: vertices in the same cell of a grid become one, in their middle, and triangles are left that have three. If
+ * there is no room for these, how many they are.
+ */
+function coarseOf(places, room, cells) {
+    const cellOf = new Uint32Array(places.length / 3), numbers = [];
+    const along = (x) => Math.floor(Math.min(0.999, Math.max(0, 0.5 + x / 2.6)) * cells);
+    for (let v = 0, at = 0; v < cellOf.length; v++, at += 3)
+        cellOf[v] = (along(places[at]) * cells + along(places[at + 1])) * cells + along(places[at + 2]);
+    for (let v = 0; v < cellOf.length; v += 3) {
+        const p = cellOf[v], q = cellOf[v + 1], r = cellOf[v + 2];
+        if (p !== q && q !== r && r !== p) numbers.push(v / 3);
+    }
+    if (numbers.length > room) return { count: numbers.length };
+    const sums = new Float32Array(4 * cells ** 3); // and how many
+    for (let v = 0; v < cellOf.length; v++) {
+        for (let a = 0; a < 3; a++) sums[4 * cellOf[v] + a] += places[3 * v + a];
+        sums[4 * cellOf[v] + 3]++;
+    }
+    const coarse = new Float32Array(9 * numbers.length);
+    for (let i = 0; i < coarse.length; i++) {
+        const cell = cellOf[3 * numbers[Math.floor(i / 9)] + Math.floor((i % 9) / 3)];
+        coarse[i] = sums[4 * cell + (i % 3)] / sums[4 * cell + 3];
+    }
+    return { places: coarse, numbers: Uint32Array.from(numbers) };
 }
 
-function shown({ name, triangles, up, frame, coarse }, most) {
+/** A part of what there is room for is left to those that straddle. */
+function sampleOf(places, most) {
+    const room = roomFor(areaOf(places), most), count = places.length / 9, part = Math.floor(room / 2);
+    if (count <= room) return null;
+    if (room < most.triangles) return someOf(places, part);
+    let cells = FINEST, coarse = coarseOf(places, part, cells);
+    for (; coarse.count; coarse = coarseOf(places, part, cells)) cells = Math.floor(0.97 * cells * Math.sqrt(part / coarse.count));
+    return coarse.numbers.length > part / 16 ? coarse : someOf(places, part); // it may be specks, each in a cell
+}
+
+function shown({ name, triangles, up, frame }, most) {
     const bounds = boundsOf(triangles);
     if (!(bounds.lo[0] <= bounds.hi[0]))
         throw new Error(`${name}: none of its triangles has finite coordinates. Export it again.`);
     frame ??= frameOf(bounds);
     const places = placesOf(triangles, frame);
-    return { name, triangles, up, bounds, frame, places, sample: sampleOf(places, frame, most, coarse) };
+    return { name, triangles, up, bounds, frame, places, sample: sampleOf(places, most) };
 }
 
 serve({

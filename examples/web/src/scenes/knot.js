@@ -34,15 +34,3 @@ export function knot(rings, corners) {
         }
     return triangles;
 }
-
-/** The same knot in fewer triangles, `room` at most, each with the number of a triangle that lies where it does. */
-export function coarseKnot(rings, corners, room) {
-    let step = 2;
-    while (rings % step || corners % step || (2 * rings * corners) / step ** 2 > room) step++;
-    const across = corners / step, triangles = knot(rings / step, across);
-    const numbers = Uint32Array.from({ length: triangles.length / 9 }, (_, i) => {
-        const ring = Math.floor(i / 2 / across), corner = Math.floor(i / 2) % across;
-        return 2 * step * (ring * corners + corner) + (i % 2);
-    });
-    return { triangles, numbers };
-}

@@ -1,12 +1,11 @@
 // scenes.js - the meshes that the page has without a file, and the box that each begins with.
-import { coarseKnot, knot } from './knot.js';
+import { knot } from './knot.js';
 import { paperScene, tiesScene } from './random.js';
 
 const KNOT_BOX = { center: [1.2, 0.4, 0], half: [1, 1, 1] };
 
 const knotOf = (rings, corners) => ({
     make: () => knot(rings, corners),
-    coarse: (room) => coarseKnot(rings, corners, room),
     box: KNOT_BOX,
 });
 

@@ -1,5 +1,5 @@
 // triangles.js - the mesh, each triangle in the colour of its class: missed, straddling, inside, or unlike EXACT. Of a mesh that is
-// more than is drawn, those that straddle, and a sample of all.
+// more than is drawn, those that straddle, and something coarser of all.
 import {
     BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, GLSL3, Mesh, NearestFilter, Points, RedIntegerFormat,
     ShaderMaterial, UnsignedIntType,
