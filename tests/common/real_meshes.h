@@ -2,9 +2,15 @@
 #ifndef TRIBOX_TESTS_REAL_MESHES_H
 #define TRIBOX_TESTS_REAL_MESHES_H
 
+#include <stddef.h>
+
 #include "arguments.h"
-#include "read_mesh.h"
 #include "tribox.h"
+
+typedef struct mesh {
+    size_t count;
+    float *coordinate[3][3]; /* vertex, axis: a stream of `count` numbers */
+} mesh;
 
 tribox_box mesh_bounds(const mesh *m);
 
