@@ -31,20 +31,8 @@ def with_openvdb_colours(path):
             "middle": grids["Cd"].transform.indexToWorld((0, 0, 0))}
 
 
-def with_vtk_colours(path):
-    """The corners of each triangle, and its colour."""
-    from vtkmodules.vtkIOPLY import vtkPLYReader
-    reader = vtkPLYReader()
-    reader.SetFileName(path)
-    reader.Update()
-    found = reader.GetOutput()
-    colours = found.GetCellData().GetArray("RGB")
-    return [([found.GetCell(n).GetPoints().GetPoint(c) for c in range(3)], [int(x) for x in colours.GetTuple(n)])
-            for n in range(found.GetNumberOfCells())]
-
-
 def with_vtk_faces(path):
-    """Where the corners of each face are, and their colours where there are some."""
+    """Where the corners of each face are, their colours where there are some, and those of faces."""
     from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
     from vtkmodules.vtkIOPLY import vtkPLYReader
     reader = {"ply": vtkPLYReader, "obj": vtkOBJReader, "stl": vtkSTLReader}[path[-3:]]()
@@ -59,4 +47,5 @@ def with_vtk_faces(path):
         points = [found.GetCell(n).GetPointId(k) for k in range(found.GetCell(n).GetNumberOfPoints())]
         faces.append([found.GetPoint(p) for p in points])
         colors.append([rgb.GetTuple(p) for p in points] if rgb else None)
-    return {"faces": faces, "colors": colors}
+    own = found.GetCellData().GetArray("RGB")
+    return {"faces": faces, "colors": colors, "of_faces": [own.GetTuple(n) for n in range(len(faces))] if own else None}

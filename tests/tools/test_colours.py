@@ -407,8 +407,8 @@ class Files(Colours):
 
     def test_vtk(self):
         """What ParaView has: a colour for each face."""
-        (found,) = self.foreign("vtk_colours", self.voxelize(self.mesh, "cells.ply")[0])
-        self.assertEqual(faces_of(found, ABOUT), faces_expected(self.expected))
+        (found,) = self.foreign("vtk_faces", self.voxelize(self.mesh, "cells.ply")[0])
+        self.assertEqual(faces_of(zip(found["faces"], found["of_faces"]), ABOUT), faces_expected(self.expected))
 
     def test_preview(self):
         """Cells of one colour, lit: pixels have its hue, those of the ground do not."""
