@@ -1,4 +1,4 @@
-#include "input.h"
+#include "things.h"
 
 #include <float.h>
 #include <math.h>

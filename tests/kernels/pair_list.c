@@ -1,4 +1,4 @@
-#include "pair_list.h"
+#include "drawn_pairs.h"
 
 #include "common/harness.h"
 
