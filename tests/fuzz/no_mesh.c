@@ -1,6 +1,4 @@
 /* no_mesh.c - stands in for tools/read/mesh.c: every file is refused, so that a command ends when it has read its arguments. */
-#include "read/mesh.h"
-
 #include "console/message.h"
 #include "read/mesh.h"
 
