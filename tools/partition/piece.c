@@ -16,7 +16,7 @@
 
 /* -------------------------------------------------------------------------------------------------------------------------- PLY */
 
-enum { FACES_A_MARK = 4096, HEADER_MOST = 1 << 16, CORNERS_MOST = 1 << 20 };
+enum { FACES_A_MARK = 4096, CORNERS_MOST = 1 << 20 };
 
 /* Where a face begins, and which triangle is its first. */
 typedef struct face_mark {
@@ -122,23 +122,6 @@ static bool holds_floats(const struct ply_faces *f)
     return is_float;
 }
 
-/* The header alone is copied, as its reader looks for the end of a text. */
-static bool read_header(struct ply_faces *f, ply_header *header)
-{
-    static const char begin[] = "ply", end[] = "end_header";
-    char *const text = calloc(HEADER_MOST + 1, 1);
-    const size_t size = f->map.size < HEADER_MOST ? f->map.size : HEADER_MOST;
-    bool is_read = text && size > sizeof begin;
-    if (is_read) {
-        memcpy(text, f->map.bytes, size);
-        is_read = !memcmp(text, begin, sizeof begin - 1) && strstr(text, end) &&
-                  !ply_header_read(f->path, &(whole_file){text, size}, header);
-    }
-    is_read = is_read && header->format != PLY_ASCII && header->element_count == 2;
-    free(text);
-    return is_read;
-}
-
 /* Floats or doubles; negative corners are too large, and those of signed types of few bytes are not sorted out here. */
 static bool lay_out(struct ply_faces *f)
 {
@@ -146,7 +129,9 @@ static bool lay_out(struct ply_faces *f)
         [PLY_UINT8] = true, [PLY_UINT16] = true, [PLY_INT32] = true, [PLY_UINT32] = true};
     ply_layout *const in = &f->in;
     ply_header *const header = malloc(sizeof *header);
-    const bool is_read = header && read_header(f, header) && ply_layout_of(header, f->map.size, in);
+    const whole_file file = {f->map.bytes, f->map.size}; /* of which the header's reader looks at no more than it has */
+    const bool is_read = header && !ply_header_read(NULL, &file, header) && header->format != PLY_ASCII &&
+                         header->element_count == 2 && ply_layout_of(header, f->map.size, in);
     free(header);
     if (!is_read || !is_corner[in->corner] || (in->number != PLY_FLOAT && in->number != PLY_DOUBLE))
         return false;
