@@ -445,6 +445,12 @@ class Partitions(Voxels):
         with open(path, "rb") as stdin:
             self.assertEqual(self.out("voxelize", "-", "--format", "f32", *words, stdin=stdin, limit=limit), whole)
         self.assertEqual(self.out("voxelize", path, *words, limit=limit), whole)
+        process = harness.start("voxelize", path, "-r", "512", "-q", "-m", "40M", "-o", self.path("m.npz"))
+        with process.stderr:
+            self.assertEqual(process.stderr.read(), b"")
+        _, process.returncode, usage = os.wait4(process.pid, 0)
+        self.assertEqual(process.returncode, 0)
+        self.assertLess(usage.ru_maxrss, 130 << 10)  # pages of a map would count, too
         self.succeed("partition", path, *words, "-q", "-o", self.path("t"), limit=limit)
         self.assertEqual(self.out("voxelize", self.path("t"), "--ids", limit=limit), whole)
         for name, mesh in (("a", path), ("b", self.mesh_of(SMALL + 0.1, "wide"))):  # floats, which become doubles, and doubles

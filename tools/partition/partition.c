@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "console/system.h"
 #include "files/files.h"
 #include "voxelize/tile_set.h"
 
@@ -137,10 +136,10 @@ static int open_file(partition *p, const char *name, bool is_read, file_map *map
     return EXIT_CODE_OK;
 }
 
-/* Maps take addresses that a limit of the process may deny to what works on them. */
-static bool are_addresses_short(const partition *p)
+/* Maps take addresses that a limit of the process may deny to what works on them, and pages count as memory of the process. */
+static bool is_larger(const partition *p, uint64_t bytes)
 {
-    return p->header.places > memory_available() / 2 / (triangle_bytes(p) + p->header.number_bytes);
+    return p->header.places > bytes / (triangle_bytes(p) + p->header.number_bytes);
 }
 
 static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
@@ -199,13 +198,13 @@ static int check_records(const partition *p)
     return EXIT_CODE_OK;
 }
 
-static int open_one(partition *p, const char *path, bool may_read)
+static int open_one(partition *p, const char *path, uint64_t memory)
 {
     *p = (partition){.path = path};
     int code = map_file(p, "index", &p->index);
     if (!code)
         code = check_header(p);
-    const bool is_read = !code && may_read && are_addresses_short(p);
+    const bool is_read = !code && memory && is_larger(p, memory / 2);
     if (!code)
         code = open_file(p, "triangles", is_read, &p->triangles, &p->streams[0]);
     if (!code && p->header.number_bytes)
@@ -217,7 +216,7 @@ static int open_one(partition *p, const char *path, bool may_read)
     return code;
 }
 
-int partition_open(partition *p, const char *path) { return open_one(p, path, false); }
+int partition_open(partition *p, const char *path) { return open_one(p, path, 0); }
 
 void partition_close(partition *p)
 {
@@ -340,16 +339,16 @@ static int join(partition *p)
     return EXIT_CODE_OK;
 }
 
-int partition_open_all(partition *p, const char *const *paths, size_t count, bool may_read)
+int partition_open_all(partition *p, const char *const *paths, size_t count, uint64_t memory)
 {
     if (count == 1)
-        return open_one(p, paths[0], may_read);
+        return open_one(p, paths[0], memory);
     int code = EXIT_CODE_OK;
     *p = (partition){.path = paths[0], .pieces = calloc(count, sizeof *p->pieces)};
     if (!p->pieces)
         return message_failure("out of memory for %zu partitions", count);
     while (!code && p->piece_count < count) {
-        code = open_one(&p->pieces[p->piece_count], paths[p->piece_count], may_read);
+        code = open_one(&p->pieces[p->piece_count], paths[p->piece_count], memory);
         p->piece_count += !code;
     }
     if (!code)

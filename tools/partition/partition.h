@@ -71,10 +71,10 @@ int partition_open(partition *p, const char *path);
 void partition_close(partition *p);
 
 /*
- * Opens several as one: their grids, shifts and tiles have to be the same. may_read: triangles for which there are hardly addresses
- * are left to partition_gather. Returns an exit_code; on success close it.
+ * Opens several as one: their grids, shifts and tiles have to be the same. memory: 0, or bytes of which one may map half; triangles
+ * of a larger one are left to partition_gather. Returns an exit_code; on success close it.
  */
-int partition_open_all(partition *p, const char *const *paths, size_t count, bool may_read);
+int partition_open_all(partition *p, const char *const *paths, size_t count, uint64_t memory);
 
 /* Whether the triangles of a record, and their numbers, lie where partition_triangles tells; else they are to be gathered. */
 bool partition_is_at_hand(const partition *p);

@@ -145,7 +145,7 @@ static int join(partition_answer *a, const partition *all)
 static int work_on_partitions(partition_answer *a)
 {
     partition all;
-    int code = partition_open_all(&all, a->r->paths, a->r->count, false);
+    int code = partition_open_all(&all, a->r->paths, a->r->count, 0);
     if (code)
         return code;
     a->header = all.header;

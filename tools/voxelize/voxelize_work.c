@@ -134,7 +134,7 @@ static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_inp
 static int work_on_partition(const voxelize_request *r, const char *const *paths, size_t count, voxelize_answer *a)
 {
     partition p;
-    int code = partition_open_all(&p, paths, count, true);
+    int code = partition_open_all(&p, paths, count, r->memory ? r->memory : memory_available());
     if (code)
         return code;
     const voxelize_input in = {.partition = &p, .cells = partition_voxels(&p.header)};
