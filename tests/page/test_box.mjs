@@ -117,7 +117,7 @@ export async function takesNumbers() {
     await page.fill('#numbers', '1,2,3');
     await page.press('#numbers', 'Enter');
     assert.match(await page.textContent('#message'), /"1,2,3" is no box/);
-    await answerAfter(page, () => page.click('#reset'));
+    await answerAfter(page, () => page.$eval('#reset', (button) => button.click())); // the focus stays
     assert.ok(await page.isHidden('#message'), 'the message stays above the next answer');
 }
 

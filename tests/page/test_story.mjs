@@ -4,7 +4,7 @@ import { axesOf } from '../../examples/web/src/axes.js';
 import { scenes } from '../../examples/web/src/scenes/scenes.js';
 import { steps } from '../../examples/web/src/story.js';
 import { visitsOf } from '../../examples/web/src/visits.js';
-import { answerOf, ask, settled } from './answer.mjs';
+import { answerAfter, answerOf, ask, settled } from './answer.mjs';
 import { DESK, openPage, PHONE, SMALL } from './browser.mjs';
 import { raw } from './meshes.mjs';
 
@@ -161,6 +161,9 @@ export async function numbersAreOfThePicture() {
     assert.ok(await page.isHidden('.answer'));
     await page.click('#dots li:nth-child(9) button');
     await page.waitForFunction(() => /^[\d,]+ of \d+ × \d+ × \d+ cells, /.test(document.getElementById('rate').textContent));
+    await page.focus('#canvas');
+    await answerAfter(page, () => page.keyboard.press('ArrowUp')); // which is about the box
+    assert.match(await page.textContent('#rate'), / cells, /);
     assert.match(await page.textContent('#time'), /^[\d.]+ (µs|ms)$/);
     assert.ok(await page.isHidden('.classes'));
     await page.click('#dots li:nth-child(1) button');

@@ -57,7 +57,6 @@ export class Figure {
             return;
         }
         for (const name of ['parting', 'touching', 'light', 'axis', 'of-box', 'of-triangle', 'gap']) this[name] = draw('path', name);
-        this.labels = ['box', 'triangle', 'gap', 'name'].map((name) => make(svg, 'text', { class: `label ${name}` }, name));
         const [vertices] = this.triangles;
         this.hold(this.bodies[0], 'Triangle', () => vertices[0], (to) => {
             const by = to.map((x, a) => x - vertices[0][a]);
@@ -67,6 +66,7 @@ export class Figure {
             const to = (place) => this.move([v], place.map((x, a) => x - vertices[v][a]));
             return this.hold(this.knob(), `Corner ${v + 1}`, () => vertices[v], to);
         });
+        this.labels = ['box', 'triangle', 'gap', 'name'].map((name) => make(svg, 'text', { class: `label ${name}` }, name));
         this.tellPlaces();
         if (!this.isFlat) return;
         const turned = ([x, y]) => this.turn(Math.atan2(y, x) + Math.atan2(FLAT.away, FLAT.end));
