@@ -136,6 +136,7 @@ export async function oneAxisAloneParts() {
 export async function lanesLightUp() {
     const page = await openPage({ query: '?step=5', options: STILL }), file = raw('eight.f32', scenes.eight.make());
     await page.waitForSelector('.lanes .apart');
+    await answerAfter(page, () => dragBy(page, '.lane-number >> nth=2', -30, 8)); // what is in front of the box lets it be held
     for (const keys of [[], Array(12).fill('ArrowRight'), Array(40).fill('PageDown')]) {
         await page.focus('#canvas');
         for (const key of keys) await page.keyboard.press(key);
