@@ -35,4 +35,4 @@ prints_answers src/libtribox.a
 
 "$MESON" test --no-rebuild --print-errorlogs --suite kernels --suite calls --no-suite shortened
 "$MESON" test --no-rebuild --print-errorlogs --logbase others 'masks in short' exactness 'calls environment' 'inputs bad_indices' \
-    'inputs classify' 'index update' 'index gather' 'index room'
+    'inputs classify' 'index update' 'index gather'
