@@ -16,8 +16,8 @@
 #include "kinds.h"
 
 enum {
-    ROUNDS = 12,                     /* of every kind of triangle in every kind of grid */
-    PAIRS_A_ROUND = 100000 / ROUNDS, /* of the arguments: --long asks a hundred times as much, --short a twelfth */
+    ROUNDS = 4,                      /* of every kind of triangle in every kind of grid */
+    PAIRS_A_ROUND = 100000 / ROUNDS, /* of the arguments: --long asks a hundred times as much, --short a quarter */
     CELLS_MAX = 20000,               /* of a grid, also for ids */
     CELLS_OF_DOUBLES = 2000,         /* a grid of doubles, and one of which all cells are asked about */
     CELLS_FOR_ALL = 300,
