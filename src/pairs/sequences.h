@@ -9,12 +9,15 @@
 /*
  * A sequence is the groups of axes in the order in which they are tested, one decimal digit each, by the number of the paper's
  * bullet: 1 the box normals, 2 the plane, 3 the edges. 213 and 312 test one group alone, and then of the packets that it leaves
- * everything, as 132 does. So each has an instance of what is tested; a set of groups has one, but for all of them (plan.c).
+ * everything, as 132 does. So each has an instance of what is tested; a set of groups has one, but for all of them (plan.c). The
+ * second word says how: group by group, edges and plane together, or one group alone.
  */
-#define TRIBOX_FOR_EACH_SEQUENCE(X) X(1) X(2) X(3) X(12) X(13) X(32) X(123) X(132) X(213) X(312)
+#define TRIBOX_FOR_EACH_SEQUENCE(X) \
+    X(1, apart) \
+    X(2, apart) X(3, apart) X(12, apart) X(13, apart) X(32, joint) X(123, apart) X(132, joint) X(213, alone) X(312, alone)
 
 enum {
-#define TRIBOX_SEQUENCE_INDEX(sequence) TRIBOX_SEQUENCE_##sequence,
+#define TRIBOX_SEQUENCE_INDEX(sequence, how) TRIBOX_SEQUENCE_##sequence,
     TRIBOX_FOR_EACH_SEQUENCE(TRIBOX_SEQUENCE_INDEX)
 #undef TRIBOX_SEQUENCE_INDEX
         TRIBOX_SEQUENCES
@@ -34,8 +37,5 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 
 /* The group that is tested alone before all others; 0 for none. */
 TRIBOX_INLINE unsigned group_alone(unsigned sequence) { return sequence > 200 ? sequence / 100 : 0; }
-
-/* Whether edges and plane are tested together. */
-TRIBOX_INLINE bool is_joint(unsigned sequence) { return sequence == 32 || sequence == 132; }
 
 #endif

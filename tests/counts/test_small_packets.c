@@ -82,16 +82,22 @@ static void start_input(small_input *to)
     to->triangles = (tribox_query){.triangle = &to->triangle[0][0], .boxes = &to->boxes, .count = 1};
 }
 
-#define ENTRY(sequence) sequence,
+#define ENTRY(sequence, how) sequence,
 static const unsigned sequences[TRIBOX_SEQUENCES] = {TRIBOX_FOR_EACH_SEQUENCE(ENTRY)};
 static const unsigned near_sequences[] = {1, 132}; /* of batch.h */
+
+PACKET(joint, load_axis, overlaps_by_joint_margin)
+PACKET(apart, load_axis, overlaps_by_margin)
 
 /* The kind is no constant here, as it is in the kernels: thirty instances of a packet take too long to compile. */
 static bool is_hit_by(const tribox_query *from, walk_kind kind, uint64_t *open)
 {
     lane_pairs p;
     start_pairs(&p, from, kind);
-    return packet(&p, from, 0, kind, open);
+    if (group_alone(groups_of(kind)))
+        return packet_soup_alone_BY_MARGIN(&p, from, 0, kind, open);
+    const bool is_joint = groups_of(kind) % 100 == 32;
+    return is_joint ? packet_joint(&p, from, 0, kind, open) : packet_apart(&p, from, 0, kind, open);
 }
 
 static void print_pair(const whole_pair *p, walk_kind kind, bool is_miss)

@@ -8,19 +8,6 @@
  * soup costs the traffic of one axis. Between the other groups a packet ends as soon as no lane is left.
  */
 
-/* A run of packets in a word: returns the hits, and in *undecided what is left undecided, lane by lane. */
-TRIBOX_INLINE uint64_t walk_run(lane_pairs *p, const tribox_query *from, const packet_run *run, walk_kind kind, uint64_t *undecided)
-{
-    uint64_t run_hit = 0, run_open = 0; /* kept in registers, so that stores cannot alias the streams */
-    for (size_t lane = 0; lane < run->lanes; lane += V_LANES) {
-        uint64_t packet_open;
-        run_hit |= packet(p, from, run->at + lane, kind, &packet_open) << lane;
-        run_open |= packet_open << lane;
-    }
-    *undecided = run_open;
-    return run_hit;
-}
-
 /* Whether a word has three or more bits set. */
 TRIBOX_INLINE bool has_several(uint64_t bits)
 {
@@ -43,41 +30,78 @@ TRIBOX_INLINE bool may_lie_inside(walk_kind kind) { return (kind & (WALKS_SOUP |
 /* Words of a walk that are not asked after one that was asked for nothing: that takes as long as to test a packet in part. */
 enum { WORDS_UNASKED = 16 };
 
-/* Pairs 64 * word + done to before 64 * word + count, or to that run. Returns how many are done. */
-TRIBOX_INLINE size_t walk_words(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit,
-                                uint64_t *undecided, walk_kind kind)
+/* Marks words from 64 * word + done on that lie wholly in the box as hits, and returns where they end. */
+TRIBOX_INLINE size_t pass_words_inside(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit,
+                                       uint64_t *undecided)
 {
-    const size_t start = 64 * word, end = start + count;
-    size_t unasked = done;
-    packet_run run;
-    lane_pairs p;
-    start_pairs(&p, from, kind);
-    for (; done < count; done += run.pairs) {
-        uint64_t run_open;
-        run = run_of_packets(start + done, end, 64);
-        const uint64_t run_hit = walk_run(&p, from, &run, kind, &run_open);
-        if (may_look_again(kind) && has_several(run_open))
-            break;
-        put_run(&hit[done / 64], done % 64, run_hit, &run);
-        put_run(&undecided[done / 64], done % 64, run_open, &run);
-        if (may_lie_inside(kind) && run_hit == ~UINT64_C(0) && done >= unasked) {
-            size_t inside = words_inside(from->soup, from->box, start + done + 64, end);
-            unasked = inside ? done : done + 64 * (size_t)WORDS_UNASKED;
-            for (; inside; inside--) {
-                done += 64;
-                hit[done / 64] = ~UINT64_C(0);
-                undecided[done / 64] = 0;
-            }
-        }
+    for (size_t left = words_inside(from->soup, from->box, 64 * word + done, 64 * word + count); left; left--, done += 64) {
+        hit[done / 64] = ~UINT64_C(0);
+        undecided[done / 64] = 0;
     }
     return done;
 }
 
-TRIBOX_INLINE void walk_all_BY_SIGN(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
-                                    walk_kind kind)
-{
-    walk_words(from, word, 0, count, hit, undecided, kind | WALKS_BY_SIGN);
-}
+/*
+ * Pairs 64 * word + done to before 64 * word + count, or to the run that a second look takes. Returns how many are done. Each form
+ * of a packet has its own: a run of packets in a word, and all runs. Bits are kept in registers, so that stores cannot alias the
+ * streams.
+ */
+#define WALK_WORDS(form) \
+    TRIBOX_INLINE uint64_t walk_run_##form(lane_pairs *p, const tribox_query *from, const packet_run *run, walk_kind kind, \
+                                           uint64_t *undecided) \
+    { \
+        uint64_t run_hit = 0, run_open = 0; \
+        for (size_t lane = 0; lane < run->lanes; lane += V_LANES) { \
+            uint64_t packet_open; \
+            run_hit |= packet_##form(p, from, run->at + lane, kind, &packet_open) << lane; \
+            run_open |= packet_open << lane; \
+        } \
+        *undecided = run_open; \
+        return run_hit; \
+    } \
+    TRIBOX_INLINE size_t walk_words_##form(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit, \
+                                           uint64_t *undecided, walk_kind kind) \
+    { \
+        size_t unasked = done; \
+        packet_run run; \
+        lane_pairs p; \
+        start_pairs(&p, from, kind); \
+        for (; done < count; done += run.pairs) { \
+            uint64_t run_open; \
+            run = run_of_packets(64 * word + done, 64 * word + count, 64); \
+            const uint64_t run_hit = walk_run_##form(&p, from, &run, kind, &run_open); \
+            if (may_look_again(kind) && has_several(run_open)) \
+                break; \
+            put_run(&hit[done / 64], done % 64, run_hit, &run); \
+            put_run(&undecided[done / 64], done % 64, run_open, &run); \
+            if (may_lie_inside(kind) && run_hit == ~UINT64_C(0) && done >= unasked) { \
+                const size_t inside = pass_words_inside(from, word, done + 64, count, hit, undecided) - 64; \
+                unasked = inside > done ? inside : done + 64 * (size_t)WORDS_UNASKED; \
+                done = inside; \
+            } \
+        } \
+        return done; \
+    }
+PACKET(mesh_joint_BY_MARGIN, load_axis_of_mesh, overlaps_by_joint_margin)
+PACKET(mesh_joint_BY_SIGN, load_axis_of_mesh, overlaps_by_joint_signs)
+PACKET(mesh_apart_BY_MARGIN, load_axis_of_mesh, overlaps_by_margin)
+PACKET(boxes_joint_BY_MARGIN, load_axis_of_boxes, overlaps_by_joint_margin)
+PACKET(boxes_joint_BY_SIGN, load_axis_of_boxes, overlaps_by_joint_signs)
+PACKET(boxes_apart_BY_MARGIN, load_axis_of_boxes, overlaps_by_margin)
+PACKET(boxes_apart_BY_SIGN, load_axis_of_boxes, overlaps_by_sign)
+WALK_WORDS(soup_apart_BY_MARGIN)
+WALK_WORDS(soup_apart_BY_SIGN)
+WALK_WORDS(soup_joint_BY_MARGIN)
+WALK_WORDS(soup_joint_BY_SIGN)
+WALK_WORDS(soup_alone_BY_MARGIN)
+WALK_WORDS(soup_alone_BY_SIGN)
+WALK_WORDS(mesh_joint_BY_MARGIN)
+WALK_WORDS(mesh_joint_BY_SIGN)
+WALK_WORDS(mesh_apart_BY_MARGIN)
+WALK_WORDS(boxes_joint_BY_MARGIN)
+WALK_WORDS(boxes_joint_BY_SIGN)
+WALK_WORDS(boxes_apart_BY_MARGIN)
+WALK_WORDS(boxes_apart_BY_SIGN)
 
 /* Whether the flag rises in this kernel's own arithmetic: as in settle/doubles.h, here in float. */
 TRIBOX_INLINE bool is_rounding_seen(void)
@@ -105,7 +129,7 @@ TRIBOX_NOINLINE size_t walk_exactly(const tribox_query *from, size_t word, size_
         uint64_t result = 0;
         end = count - done > watched ? done + watched : count;
         tribox_exactness_watch();
-        walk_words(from, word, done, end, hit, undecided, 132 | WALKS_SOUP | WALKS_BY_SIGN | ASKS_FLAG);
+        walk_words_soup_joint_BY_SIGN(from, word, done, end, hit, undecided, 132 | WALKS_SOUP | WALKS_BY_SIGN | ASKS_FLAG);
         for (size_t w = done / 64; w < (end + 63) / 64; w++)
             result |= hit[w] ^ undecided[w];
         if (!tribox_exactness_kept(result))
@@ -114,34 +138,17 @@ TRIBOX_NOINLINE size_t walk_exactly(const tribox_query *from, size_t word, size_
     return done;
 }
 
-/* Whether a walk may ask the flag: soups alone, and of all axes. */
-TRIBOX_INLINE bool may_ask_flag(walk_kind kind) { return (kind & (WALKS_SOUP | WALKS_MESH)) == WALKS_SOUP && groups_of(kind) > 99; }
-
-/* The second look at a soup, for all axes: in one order, too. */
+/*
+ * What a walk by margin leaves of a soup, for all axes and in one order: a loop of its own, so that scenes without ties keep fewer
+ * numbers. It changes no answer: a slower stage would decide the same (PROOFS.md 5.3). Where ties are common numbers are often
+ * short, and nothing of them is rounded: then signs decide.
+ */
 TRIBOX_NOINLINE void look_again(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit,
                                 uint64_t *undecided)
 {
-    walk_words(from, word, done, count, hit, undecided, 132 | WALKS_SOUP | LOOKS_AGAIN);
-}
-
-/*
- * Two loops, so that scenes without ties keep fewer numbers. It changes no answer: a slower stage would decide the same
- * (PROOFS.md 5.3). Where ties are common numbers are often short, and nothing of them is rounded: then signs decide.
- */
-TRIBOX_INLINE void walk_all_BY_MARGIN(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
-                                      walk_kind kind)
-{
-    size_t done = 0;
-    if (!may_ask_flag(kind) || from->ties != TRIBOX_TIES_AT_ONCE)
-        done = walk_words(from, word, 0, count, hit, undecided, kind);
-    if (done == count)
-        return;
-    if (may_ask_flag(kind) && from->ties != TRIBOX_TIES_LEFT)
+    if (from->ties != TRIBOX_TIES_LEFT)
         done = walk_exactly(from, word, done, count, hit, undecided);
-    if (may_ask_flag(kind))
-        look_again(from, word, done, count, hit, undecided);
-    else if (may_look_again(kind))
-        walk_words(from, word, done, count, hit, undecided, kind | LOOKS_AGAIN);
+    walk_words_soup_joint_BY_MARGIN(from, word, done, count, hit, undecided, 132 | WALKS_SOUP | LOOKS_AGAIN);
 }
 
 /* A survey of a soup: where it would leave pairs undecided, the flag may decide the whole word. */
@@ -159,31 +166,63 @@ TRIBOX_INLINE uint64_t survey_soup(const tribox_query *from, size_t word, walk_k
 }
 
 /*
- * The forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. Orders are for soups: to
- * read corners, or boxes, takes so long that they would gain little there. Meshes are walked only where all axes are asked.
+ * All that are no soups. Orders are for soups: to read corners, or boxes, takes so long that they would gain little there. Meshes
+ * are walked only where all axes are asked. Boxes of some axes, and what boxes leave, are rare: one instance asks as it runs what
+ * others know as they are compiled.
  */
-#define WALK_OF(by) \
-    TRIBOX_NOINLINE void walk_##by##_all(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided) \
-    { \
-        if (pairs->corners) \
-            walk_all_##by(pairs, word, count, hit, undecided, 132 | WALKS_SOUP | WALKS_MESH); \
-        else \
-            walk_all_##by(pairs, word, count, hit, undecided, 132); \
+TRIBOX_NOINLINE void walk_others_BY_MARGIN(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
+                                           unsigned groups)
+{
+    size_t done = 0;
+    if (from->corners) {
+        const walk_kind kind = 132 | WALKS_SOUP | WALKS_MESH;
+        done = walk_words_mesh_joint_BY_MARGIN(from, word, 0, count, hit, undecided, kind);
+        walk_words_mesh_joint_BY_MARGIN(from, word, done, count, hit, undecided, kind | LOOKS_AGAIN);
+        return;
     }
-#define WALK(by, groups) \
-    static void walk_##by##_##groups(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided) \
+    if (groups > 99)
+        done = walk_words_boxes_joint_BY_MARGIN(from, word, 0, count, hit, undecided, 132);
+    for (walk_kind kind = groups > 99 ? 132 | LOOKS_AGAIN : groups; done < count; kind |= LOOKS_AGAIN)
+        done = walk_words_boxes_apart_BY_MARGIN(from, word, done, count, hit, undecided, kind);
+}
+
+TRIBOX_NOINLINE void walk_others_BY_SIGN(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
+                                         unsigned groups)
+{
+    if (from->corners)
+        walk_words_mesh_joint_BY_SIGN(from, word, 0, count, hit, undecided, 132 | WALKS_SOUP | WALKS_MESH | WALKS_BY_SIGN);
+    else if (groups > 99)
+        walk_words_boxes_joint_BY_SIGN(from, word, 0, count, hit, undecided, 132 | WALKS_BY_SIGN);
+    else
+        walk_words_boxes_apart_BY_SIGN(from, word, 0, count, hit, undecided, groups | WALKS_BY_SIGN);
+}
+
+/* A walk of each kind and sequence, a loop of its own for soups: asked once a walk, and not once a packet. */
+#define WALK_BY_MARGIN(groups, how) \
+    static void walk_BY_MARGIN_##groups(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided) \
+    { \
+        size_t done = 0; \
+        if (!TRIBOX_WALKS_SOUPS_ALONE && !pairs->soup) { \
+            walk_others_BY_MARGIN(pairs, word, count, hit, undecided, groups); \
+            return; \
+        } \
+        if (groups < 100 || pairs->ties != TRIBOX_TIES_AT_ONCE) \
+            done = walk_words_soup_##how##_BY_MARGIN(pairs, word, 0, count, hit, undecided, groups | WALKS_SOUP); \
+        if (groups > 99 && done < count) \
+            look_again(pairs, word, done, count, hit, undecided); \
+        if (groups == 12 || groups == 13) \
+            walk_words_soup_apart_BY_MARGIN(pairs, word, done, count, hit, undecided, groups | WALKS_SOUP | LOOKS_AGAIN); \
+    }
+#define WALK_BY_SIGN(groups, how) \
+    static void walk_BY_SIGN_##groups(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided) \
     { \
         if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
-            walk_all_##by(pairs, word, count, hit, undecided, groups | WALKS_SOUP); \
-        else if (groups > 99) \
-            walk_##by##_all(pairs, word, count, hit, undecided); \
+            walk_words_soup_##how##_BY_SIGN(pairs, word, 0, count, hit, undecided, groups | WALKS_SOUP | WALKS_BY_SIGN); \
         else \
-            walk_all_##by(pairs, word, count, hit, undecided, groups); \
+            walk_others_BY_SIGN(pairs, word, count, hit, undecided, groups); \
     }
-#define WALKS(sequence) WALK(BY_MARGIN, sequence) WALK(BY_SIGN, sequence)
-WALK_OF(BY_MARGIN)
-WALK_OF(BY_SIGN)
-TRIBOX_FOR_EACH_SEQUENCE(WALKS)
+TRIBOX_FOR_EACH_SEQUENCE(WALK_BY_MARGIN)
+TRIBOX_FOR_EACH_SEQUENCE(WALK_BY_SIGN)
 
 /*
  * Surveys with the second look of ties.h where margins decide: it changes no answer, and a survey cannot know whether it is needed.
@@ -199,61 +238,55 @@ static uint64_t survey_BY_SIGN(const tribox_query *pairs, size_t word, tribox_se
     return survey_soup(pairs, word, 123 | WALKS_SOUP | WALKS_BY_SIGN, seen, undecided);
 }
 
-/* Pairs of a word at most, and nothing past them is read: what a short call asks, with as little around its packets as can be. */
-TRIBOX_INLINE uint64_t walk_packets_of_few(const tribox_query *from, size_t count, uint64_t *undecided, walk_kind kind)
-{
-    uint64_t hit = 0, open = 0;
-    lane_pairs p;
-    start_pairs(&p, from, kind);
-    for (size_t at = 0; at < count; at += V_LANES) {
-        uint64_t packet_open;
-        p.few = count - at < V_LANES ? count - at : V_LANES;
-        hit |= packet(&p, from, at, kind, &packet_open) << at;
-        open |= packet_open << at;
+/*
+ * Pairs of a word at most, and nothing past them is read: what a short call asks, with as little around its packets as can be. In
+ * one order: another would gain nothing on few.
+ */
+PACKET(few_BY_MARGIN, load_axis, overlaps_by_joint_margin)
+PACKET(few_BY_SIGN, load_axis, overlaps_by_joint_signs)
+#define WALK_FEW(name, by, look) \
+    TRIBOX_NOINLINE uint64_t name(const tribox_query *from, size_t count, uint64_t *undecided) \
+    { \
+        const walk_kind of = TRIBOX_WALKS_SOUPS_ALONE || from->soup ? WALKS_SOUP : from->corners ? WALKS_SOUP | WALKS_MESH : 0; \
+        const walk_kind kind = 132 | WALKS_FEW | WALKS_##by | (look) | of; \
+        uint64_t hit = 0, open = 0; \
+        lane_pairs p; \
+        splat_triangle(&p.t, (const float[9]){0}); /* which compilers take to be unset */ \
+        start_pairs(&p, from, kind); \
+        for (size_t at = 0; at < count; at += V_LANES) { \
+            uint64_t packet_open; \
+            p.few = count - at < V_LANES ? count - at : V_LANES; \
+            hit |= packet_few_##by(&p, from, at, kind, &packet_open) << at; \
+            open |= packet_open << at; \
+        } \
+        *undecided = open; \
+        return hit; \
     }
-    *undecided = open;
-    return hit;
-}
-
-/* In one order: another would gain nothing on few. */
-TRIBOX_INLINE uint64_t walk_few_of_any(const tribox_query *from, size_t count, uint64_t *undecided, walk_kind kind)
-{
-    if (TRIBOX_WALKS_SOUPS_ALONE || from->soup)
-        return walk_packets_of_few(from, count, undecided, 132 | WALKS_FEW | WALKS_SOUP | kind);
-    if (from->corners)
-        return walk_packets_of_few(from, count, undecided, 132 | WALKS_FEW | WALKS_SOUP | WALKS_MESH | kind);
-    return walk_packets_of_few(from, count, undecided, 132 | WALKS_FEW | kind);
-}
-
-TRIBOX_NOINLINE uint64_t look_again_at_few(const tribox_query *from, size_t count, uint64_t *undecided)
-{
-    return walk_few_of_any(from, count, undecided, LOOKS_AGAIN);
-}
+WALK_FEW(walk_few_BY_SIGN, BY_SIGN, 0)
+WALK_FEW(look_once_at_few, BY_MARGIN, 0)
+WALK_FEW(look_again_at_few, BY_MARGIN, LOOKS_AGAIN)
 
 static uint64_t walk_few_BY_MARGIN(const tribox_query *from, size_t count, uint64_t *undecided)
 {
-    const uint64_t hit = walk_few_of_any(from, count, undecided, WALKS_BY_MARGIN);
+    const uint64_t hit = look_once_at_few(from, count, undecided);
     return has_several(*undecided) ? look_again_at_few(from, count, undecided) : hit;
-}
-
-static uint64_t walk_few_BY_SIGN(const tribox_query *from, size_t count, uint64_t *undecided)
-{
-    return walk_few_of_any(from, count, undecided, WALKS_BY_SIGN);
 }
 
 static void walk_local_box(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
 {
-    walk_all_BY_MARGIN(pairs, word, count, hit, undecided, 1 | WALKS_SOUP | WALKS_MESH | WALKS_LOCAL);
+    walk_words_mesh_apart_BY_MARGIN(pairs, word, 0, count, hit, undecided, 1 | WALKS_SOUP | WALKS_MESH | WALKS_LOCAL);
 }
 
 /* In one order: reading doubles takes as long as what another could save. */
 static void walk_local_all(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
 {
-    walk_all_BY_MARGIN(pairs, word, count, hit, undecided, 132 | WALKS_SOUP | WALKS_MESH | WALKS_LOCAL);
+    const walk_kind kind = 132 | WALKS_SOUP | WALKS_MESH | WALKS_LOCAL;
+    const size_t done = walk_words_mesh_joint_BY_MARGIN(pairs, word, 0, count, hit, undecided, kind);
+    walk_words_mesh_joint_BY_MARGIN(pairs, word, done, count, hit, undecided, kind | LOOKS_AGAIN);
 }
 
 #define ENTRY(decides, sequence) [TRIBOX_##decides][TRIBOX_SEQUENCE_##sequence] = walk_##decides##_##sequence,
-#define ENTRIES(sequence) ENTRY(BY_MARGIN, sequence) ENTRY(BY_SIGN, sequence)
+#define ENTRIES(sequence, how) ENTRY(BY_MARGIN, sequence) ENTRY(BY_SIGN, sequence)
 #define KERNEL_STRING_(name) #name
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 

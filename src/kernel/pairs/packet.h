@@ -102,32 +102,56 @@ TRIBOX_INLINE vnum load_stream(const float *from, size_t few, walk_kind kind)
     return kind & WALKS_FEW ? v_load_up_to(from, few) : v_load(from);
 }
 
-/* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on its normal. */
-TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_query *from, size_t at, int a, walk_kind kind, uint64_t left,
-                                 lane_shape *s)
+/* Axis a of a packet that is loaded: its part of *s, and the lanes of `left` that are not apart on its box normal. */
+TRIBOX_INLINE uint64_t left_on_axis(lane_pairs *p, int a, walk_kind kind, uint64_t left, lane_shape *s)
 {
-    if (kind & WALKS_MESH) {
-        if (a == 0 && kind & WALKS_FEW)
-            load_places(&p->t, from->corners->place + 3 * at);
-        else if (a == 0)
-            load_corners(&p->t, from->corners, at, kind & WALKS_LOCAL);
-    } else if (kind & WALKS_SOUP) {
-        const float *const *const stream = tribox_soup_axis(from->soup, a);
-        for (int j = 0; j < 3; j++)
-            p->t.u[j][a] = load_stream(stream[j] + at, p->few, kind);
-    } else {
-        const vnum lo = load_stream(from->boxes->lo[a] + at, p->few, kind), hi = load_stream(from->boxes->hi[a] + at, p->few, kind);
-        left &= m_bits(has_points(lo, hi));
-        set_bounds(&p->box, a, lo, hi);
-        if (kind & WALKS_BY_SIGN)
-            p->box.H[a] = v_fma(p->box.H[a], v_splat(V_UNIT), p->box.H[a]); /* as tribox_box_round */
-    }
     shape_axis(s, &p->t, &p->box, a);
     if (kind & LOOKS_AGAIN)
         drop_zero_lengths(s, a);
     if (kind & WALKS_LOCAL)
         p->clear = a == 0 ? is_clear(&p->t, &p->box, a) : m_and(p->clear, is_clear(&p->t, &p->box, a));
     return is_box_first(groups_of(kind)) ? left & ~m_bits(apart_on_box_normal(&p->t, &p->box, a)) : left;
+}
+
+/* Axis a of the packet at pair `at`, loaded first: of a soup, of a mesh, or of boxes, those without points left out. */
+TRIBOX_INLINE uint64_t load_axis_of_soup(lane_pairs *p, const tribox_query *from, size_t at, int a, walk_kind kind, uint64_t left,
+                                         lane_shape *s)
+{
+    const float *const *const stream = tribox_soup_axis(from->soup, a);
+    for (int j = 0; j < 3; j++)
+        p->t.u[j][a] = load_stream(stream[j] + at, p->few, kind);
+    return left_on_axis(p, a, kind, left, s);
+}
+
+TRIBOX_INLINE uint64_t load_axis_of_mesh(lane_pairs *p, const tribox_query *from, size_t at, int a, walk_kind kind, uint64_t left,
+                                         lane_shape *s)
+{
+    if (a == 0 && kind & WALKS_FEW)
+        load_places(&p->t, from->corners->place + 3 * at);
+    else if (a == 0)
+        load_corners(&p->t, from->corners, at, kind & WALKS_LOCAL);
+    return left_on_axis(p, a, kind, left, s);
+}
+
+TRIBOX_INLINE uint64_t load_axis_of_boxes(lane_pairs *p, const tribox_query *from, size_t at, int a, walk_kind kind, uint64_t left,
+                                          lane_shape *s)
+{
+    const vnum lo = load_stream(from->boxes->lo[a] + at, p->few, kind), hi = load_stream(from->boxes->hi[a] + at, p->few, kind);
+    set_bounds(&p->box, a, lo, hi);
+    if (kind & WALKS_BY_SIGN)
+        p->box.H[a] = v_fma(p->box.H[a], v_splat(V_UNIT), p->box.H[a]); /* as tribox_box_round */
+    else if (a == 2)
+        p->margin = box_margin_of(&p->box);
+    return left_on_axis(p, a, kind, left & m_bits(has_points(lo, hi)), s);
+}
+
+/* The same of any of them. */
+TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_query *from, size_t at, int a, walk_kind kind, uint64_t left,
+                                 lane_shape *s)
+{
+    if (kind & WALKS_MESH)
+        return load_axis_of_mesh(p, from, at, a, kind, left, s);
+    return kind & WALKS_SOUP ? load_axis_of_soup(p, from, at, a, kind, left, s) : load_axis_of_boxes(p, from, at, a, kind, left, s);
 }
 
 TRIBOX_INLINE vmask apart_on_box_normals(const lane_pairs *p)
@@ -279,34 +303,42 @@ TRIBOX_INLINE vmask needs_no_more(const lane_pairs *p, const lane_shape *s, walk
     return m_and(p->clear, v_gt(lane_min3(extent_sum(s, 0), extent_sum(s, 1), extent_sum(s, 2)), p->margin.least));
 }
 
-/* FAST: what the signs of the slacks leave; undecided where a coordinate is not finite. */
+/* FAST: what the signs of the slacks leave, group by group; undecided where a coordinate is not finite. */
 TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *undecided)
 {
     const unsigned groups = groups_of(kind);
     vmask finite = m_all();
-    if (is_joint(groups)) {
-        left = left_by_joint_signs(s, kind, left, &finite);
-    } else {
-        if (sequence_has(groups, 2))
-            left = left_by_plane_sign(s, left, &finite);
-        if (sequence_has(groups, 2) && sequence_has(groups, 3) && !left)
-            return 0;
-        if (sequence_has(groups, 3))
-            left = left_by_edge_signs(s, kind, left, &finite);
-    }
+    shape_normal(s);
+    if (sequence_has(groups, 2))
+        left = left_by_plane_sign(s, left, &finite);
+    if (sequence_has(groups, 2) && sequence_has(groups, 3) && !left)
+        return 0;
+    if (sequence_has(groups, 3))
+        left = left_by_edge_signs(s, kind, left, &finite);
     if (!sequence_has(groups, 2))
         finite = is_finite_sum(&p->t);
     *undecided = left & ~m_bits(finite);
     return left & m_bits(finite);
 }
 
+/* The same, edges and plane together. */
+TRIBOX_INLINE uint64_t overlaps_by_joint_signs(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left,
+                                               uint64_t *undecided)
+{
+    vmask finite;
+    (void)p;
+    left = left_by_joint_signs(s, kind, left, &finite);
+    *undecided = left & ~m_bits(finite);
+    return left & m_bits(finite);
+}
+
 /* EXACT and CONSERVATIVE, group by group: what slacks beyond their margins leave, and undecided where that is not certain. */
-TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left,
-                                          uint64_t *undecided)
+TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *undecided)
 {
     const unsigned groups = groups_of(kind);
     lane_margin margin;
     vmask certain = m_all();
+    shape_normal(s);
     if (sequence_has(groups, 2))
         left = left_by_margin(p, s, 2, true, kind, left, &margin, &certain);
     if (sequence_has(groups, 2) && sequence_has(groups, 3) && !left)
@@ -347,57 +379,57 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
 }
 
 /* The lanes that a group alone leaves of all. */
-TRIBOX_INLINE uint64_t left_by_group_alone(const lane_pairs *p, lane_shape *s, walk_kind kind)
+TRIBOX_INLINE uint64_t left_by_group_alone(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *undecided)
 {
     const unsigned group = group_alone(groups_of(kind));
     lane_margin margin;
     vmask unused;
+    *undecided = 0;
+    shape_normal(s);
     if (!(kind & WALKS_BY_SIGN))
-        return left_by_margin(p, s, group, true, kind, LANES_ALL, &margin, &unused);
+        return left_by_margin(p, s, group, true, kind, left, &margin, &unused);
     if (group == 3 && V_LANES == 1) /* quicker than the edges alone: they share products */
-        return left_by_joint_signs(s, kind, LANES_ALL, &unused);
-    return group == 2 ? left_by_plane_sign(s, LANES_ALL, &unused) : left_by_edge_signs(s, kind, LANES_ALL, &unused);
+        return left_by_joint_signs(s, kind, left, &unused);
+    return group == 2 ? left_by_plane_sign(s, left, &unused) : left_by_edge_signs(s, kind, left, &unused);
 }
+
+/*
+ * The lanes of the packet at pair `at` that overlap for this kind of walk; in *undecided those that are left to a slower stage.
+ * A form of it, of one way to load and one to decide, takes its kinds alone: what each instance would be freed of again takes
+ * compilers most of their time.
+ */
+#define PACKET(form, load, decide) \
+    TRIBOX_INLINE uint64_t packet_##form(lane_pairs *p, const tribox_query *from, size_t at, walk_kind kind, uint64_t *undecided) \
+    { \
+        lane_shape s; \
+        *undecided = 0; \
+        uint64_t left = load(p, from, at, 0, kind, kind & WALKS_FEW ? LANES_ALL >> (V_LANES - p->few) : LANES_ALL, &s); \
+        if (!left) \
+            return 0; \
+        left = load(p, from, at, 1, kind, left, &s); \
+        if (!left) \
+            return 0; \
+        left = load(p, from, at, 2, kind, left, &s); \
+        return left ? decide(p, &s, kind, left, undecided) : 0; \
+    }
+PACKET(soup_joint_BY_MARGIN, load_axis_of_soup, overlaps_by_joint_margin)
+PACKET(soup_joint_BY_SIGN, load_axis_of_soup, overlaps_by_joint_signs)
+PACKET(soup_apart_BY_MARGIN, load_axis_of_soup, overlaps_by_margin)
+PACKET(soup_apart_BY_SIGN, load_axis_of_soup, overlaps_by_sign)
+PACKET(soup_alone, load_axis_of_soup, left_by_group_alone)
 
 /* A packet of a soup that a group alone does not reject, from the start: one copy of it, so that walks of such orders are short. */
-static uint64_t whole_packet_BY_MARGIN(const tribox_query *from, size_t at, uint64_t *undecided);
-static uint64_t whole_packet_BY_SIGN(const tribox_query *from, size_t at, uint64_t *undecided);
-
-/* The lanes of the packet at pair `at` that overlap for this kind of walk; in *undecided those that are left to a slower stage. */
-TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_query *from, size_t at, walk_kind kind, uint64_t *undecided)
-{
-    lane_shape s;
-    *undecided = 0;
-    uint64_t left = load_axis(p, from, at, 0, kind, kind & WALKS_FEW ? LANES_ALL >> (V_LANES - p->few) : LANES_ALL, &s);
-    if (!left)
-        return 0;
-    left = load_axis(p, from, at, 1, kind, left, &s);
-    if (!left)
-        return 0;
-    left = load_axis(p, from, at, 2, kind, left, &s);
-    if (!left)
-        return 0;
-    if (!(kind & (WALKS_SOUP | WALKS_BY_SIGN)))
-        p->margin = box_margin_of(&p->box);
-    if (!is_joint(groups_of(kind)))
-        shape_normal(&s);
-    if (group_alone(groups_of(kind))) {
-        if (!left_by_group_alone(p, &s, kind))
-            return 0;
-        return kind & WALKS_BY_SIGN ? whole_packet_BY_SIGN(from, at, undecided) : whole_packet_BY_MARGIN(from, at, undecided);
-    }
-    if (kind & WALKS_BY_SIGN)
-        return overlaps_by_sign(p, &s, kind, left, undecided);
-    return is_joint(groups_of(kind)) ? overlaps_by_joint_margin(p, &s, kind, left, undecided)
-                                     : overlaps_by_margin(p, &s, kind, left, undecided);
-}
-
-#define WHOLE_PACKET(by) \
+#define PACKET_ALONE(by) \
     TRIBOX_NOINLINE uint64_t whole_packet_##by(const tribox_query *from, size_t at, uint64_t *undecided) \
     { \
         lane_pairs p; \
         start_pairs(&p, from, 132 | WALKS_SOUP | WALKS_##by); \
-        return packet(&p, from, at, 132 | WALKS_SOUP | WALKS_##by, undecided); \
+        return packet_soup_joint_##by(&p, from, at, 132 | WALKS_SOUP | WALKS_##by, undecided); \
+    } \
+    TRIBOX_INLINE uint64_t packet_soup_alone_##by(lane_pairs *p, const tribox_query *from, size_t at, walk_kind kind, \
+                                                  uint64_t *undecided) \
+    { \
+        return packet_soup_alone(p, from, at, kind, undecided) ? whole_packet_##by(from, at, undecided) : 0; \
     }
-WHOLE_PACKET(BY_MARGIN)
-WHOLE_PACKET(BY_SIGN)
+PACKET_ALONE(BY_MARGIN)
+PACKET_ALONE(BY_SIGN)

@@ -46,7 +46,7 @@ TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_query *from, si
     lane_shape s;
     uint64_t left = LANES_ALL;
     for (int a = 0; a < 3; a++) {
-        left = load_axis(p, from, at, a, kind, left, &s);
+        left = load_axis_of_soup(p, from, at, a, kind, left, &s);
         if (!left) {
             seen->apart[a] |= packet;
             *undecided = 0;

@@ -3,7 +3,7 @@
  * After: a vocabulary. Needs: v_load_few.
  *
  * The last packet ends with the last pair, so it repeats pairs that the packet before it has. A walk of few reads what there is
- * (walk_packets_of_few); for others, fewer pairs than V_LANES are spread over a packet before (tribox_partial_packet).
+ * (WALK_FEW); for others, fewer pairs than V_LANES are spread over a packet before (tribox_partial_packet).
  */
 
 /* Packets that begin at pair `at`; the first lanes repeat pairs that come before those that are asked about. */
