@@ -43,22 +43,9 @@ TRIBOX_INLINE size_t pass_words_inside(const tribox_query *from, size_t word, si
 
 /*
  * Pairs 64 * word + done to before 64 * word + count, or to the run that a second look takes. Returns how many are done. Each form
- * of a packet has its own: a run of packets in a word, and all runs. Bits are kept in registers, so that stores cannot alias the
- * streams.
+ * of a packet has its own. Bits of a run are kept in registers, so that stores cannot alias the streams.
  */
 #define WALK_WORDS(form) \
-    TRIBOX_INLINE uint64_t walk_run_##form(lane_pairs *p, const tribox_query *from, const packet_run *run, walk_kind kind, \
-                                           uint64_t *undecided) \
-    { \
-        uint64_t run_hit = 0, run_open = 0; \
-        for (size_t lane = 0; lane < run->lanes; lane += V_LANES) { \
-            uint64_t packet_open; \
-            run_hit |= packet_##form(p, from, run->at + lane, kind, &packet_open) << lane; \
-            run_open |= packet_open << lane; \
-        } \
-        *undecided = run_open; \
-        return run_hit; \
-    } \
     TRIBOX_INLINE size_t walk_words_##form(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit, \
                                            uint64_t *undecided, walk_kind kind) \
     { \
@@ -67,9 +54,13 @@ TRIBOX_INLINE size_t pass_words_inside(const tribox_query *from, size_t word, si
         lane_pairs p; \
         start_pairs(&p, from, kind); \
         for (; done < count; done += run.pairs) { \
-            uint64_t run_open; \
+            uint64_t run_hit = 0, run_open = 0; \
             run = run_of_packets(64 * word + done, 64 * word + count, 64); \
-            const uint64_t run_hit = walk_run_##form(&p, from, &run, kind, &run_open); \
+            for (size_t lane = 0; lane < run.lanes; lane += V_LANES) { \
+                uint64_t packet_open; \
+                run_hit |= packet_##form(&p, from, run.at + lane, kind, &packet_open) << lane; \
+                run_open |= packet_open << lane; \
+            } \
             if (may_look_again(kind) && has_several(run_open)) \
                 break; \
             put_run(&hit[done / 64], done % 64, run_hit, &run); \
