@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Asks questions of tribox-bench in ten processes each, and records the tables: record.py BUILD OUT [MESH ...].
 
-A figure that differs is the median of the processes, with the least and the most in brackets; a column *_least has the least of all.
+A figure that differs is the median of the processes, with the least and the most in brackets. A column *_least has the least.
 """
 import argparse
 import json
