@@ -12,8 +12,6 @@ const optionsOf = ({ accuracy, axes, order }) => ({
 
 const orientedOf = ({ center, half, axes }) => ({ center, half, axis: [axes.slice(0, 3), axes.slice(3, 6), axes.slice(6)] });
 
-const ENOUGH_MS = 60;
-
 export class Library {
     static async open(module) {
         const library = new Library();
@@ -99,17 +97,10 @@ export class Library {
         }
     }
 
-    /** The cells that these triangles mark, of a grid around a box: its words of 32 cells, and the least time of ten runs or few. */
+    /** The cells that these triangles mark, of a grid around a box: its words of 32 cells. */
     voxelize(bounds, resolution, test) {
-        const grid = this.tribox.gridAround(bounds, { resolution }), first = performance.now();
-        let bits, milliseconds = Infinity, now = first;
-        for (let runs = 0; runs < 10 && now - first < ENOUGH_MS; runs++) {
-            const start = now;
-            ({ bits } = this.soup.voxelize(grid, optionsOf(test)));
-            now = performance.now();
-            milliseconds = Math.min(milliseconds, now - start);
-        }
-        return { grid, bits, milliseconds };
+        const grid = this.tribox.gridAround(bounds, { resolution });
+        return { grid, bits: this.soup.voxelize(grid, optionsOf(test)).bits };
     }
 
     /** The paper's test reads nine floats a triangle, one after another: a copy for it alone. */
