@@ -233,34 +233,51 @@ static uint64_t survey_BY_SIGN(const tribox_query *pairs, size_t word, tribox_se
  * Pairs of a word at most, and nothing past them is read: what a short call asks, with as little around its packets as can be. In
  * one order: another would gain nothing on few.
  */
-PACKET(few_BY_MARGIN, load_axis, overlaps_by_joint_margin)
-PACKET(few_BY_SIGN, load_axis, overlaps_by_joint_signs)
-#define WALK_FEW(name, by, look) \
-    TRIBOX_NOINLINE uint64_t name(const tribox_query *from, size_t count, uint64_t *undecided) \
+#define WALK_FEW(level, name, form, of) \
+    level uint64_t name(const tribox_query *from, size_t count, uint64_t *undecided) \
     { \
-        const walk_kind of = TRIBOX_WALKS_SOUPS_ALONE || from->soup ? WALKS_SOUP : from->corners ? WALKS_SOUP | WALKS_MESH : 0; \
-        const walk_kind kind = 132 | WALKS_FEW | WALKS_##by | (look) | of; \
+        const walk_kind kind = 132 | WALKS_FEW | (of); \
         uint64_t hit = 0, open = 0; \
         lane_pairs p; \
-        splat_triangle(&p.t, (const float[9]){0}); /* which compilers take to be unset */ \
+        if (kind & LOOKS_AGAIN) /* the one of all, which compilers take to be unset */ \
+            splat_triangle(&p.t, (const float[9]){0}); \
         start_pairs(&p, from, kind); \
         for (size_t at = 0; at < count; at += V_LANES) { \
             uint64_t packet_open; \
             p.few = count - at < V_LANES ? count - at : V_LANES; \
-            hit |= packet_few_##by(&p, from, at, kind, &packet_open) << at; \
+            hit |= packet_##form(&p, from, at, kind, &packet_open) << at; \
             open |= packet_open << at; \
         } \
         *undecided = open; \
         return hit; \
     }
-WALK_FEW(walk_few_BY_SIGN, BY_SIGN, 0)
-WALK_FEW(look_once_at_few, BY_MARGIN, 0)
-WALK_FEW(look_again_at_few, BY_MARGIN, LOOKS_AGAIN)
+WALK_FEW(TRIBOX_INLINE, few_of_soup_BY_MARGIN, soup_joint_BY_MARGIN, WALKS_SOUP)
+WALK_FEW(TRIBOX_INLINE, few_of_soup_BY_SIGN, soup_joint_BY_SIGN, WALKS_SOUP | WALKS_BY_SIGN)
+WALK_FEW(TRIBOX_INLINE, few_of_mesh_BY_MARGIN, mesh_joint_BY_MARGIN, WALKS_SOUP | WALKS_MESH)
+WALK_FEW(TRIBOX_INLINE, few_of_mesh_BY_SIGN, mesh_joint_BY_SIGN, WALKS_SOUP | WALKS_MESH | WALKS_BY_SIGN)
+WALK_FEW(TRIBOX_INLINE, few_of_boxes_BY_MARGIN, boxes_joint_BY_MARGIN, 0)
+WALK_FEW(TRIBOX_INLINE, few_of_boxes_BY_SIGN, boxes_joint_BY_SIGN, WALKS_BY_SIGN)
+
+/* The second look is rare: one instance asks as it runs of what the pairs are. */
+PACKET(few_again, load_axis, overlaps_by_joint_margin)
+WALK_FEW(TRIBOX_NOINLINE, look_again_at_few, few_again,
+         LOOKS_AGAIN | (from->soup      ? WALKS_SOUP
+                        : from->corners ? WALKS_SOUP | WALKS_MESH
+                                        : 0))
 
 static uint64_t walk_few_BY_MARGIN(const tribox_query *from, size_t count, uint64_t *undecided)
 {
-    const uint64_t hit = look_once_at_few(from, count, undecided);
+    const uint64_t hit = TRIBOX_WALKS_SOUPS_ALONE || from->soup ? few_of_soup_BY_MARGIN(from, count, undecided)
+                         : from->corners                        ? few_of_mesh_BY_MARGIN(from, count, undecided)
+                                                                : few_of_boxes_BY_MARGIN(from, count, undecided);
     return has_several(*undecided) ? look_again_at_few(from, count, undecided) : hit;
+}
+
+static uint64_t walk_few_BY_SIGN(const tribox_query *from, size_t count, uint64_t *undecided)
+{
+    return TRIBOX_WALKS_SOUPS_ALONE || from->soup ? few_of_soup_BY_SIGN(from, count, undecided)
+           : from->corners                        ? few_of_mesh_BY_SIGN(from, count, undecided)
+                                                  : few_of_boxes_BY_SIGN(from, count, undecided);
 }
 
 static void walk_local_box(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
