@@ -32,9 +32,11 @@ def cell(name, values):
 
 def merged(tables):
     """The lines of one table, which each process made."""
+    if "rows" not in tables[0]:
+        return
     yield "\n" + tables[0].get("title", "")
     names = [name for name in tables[0]["rows"][0] if not name.endswith("_quartile") and name not in ("rounds", "from", "to")]
-    rows = [[cell(name, [row.get(name) for row in rows]) for name in names] for rows in zip(*(table.get("rows", ()) for table in tables))]
+    rows = [[cell(name, [row.get(name) for row in same]) for name in names] for same in zip(*(table["rows"] for table in tables))]
     widths = [max(map(len, column)) for column in zip(names, *rows)]
     for row in (names, *rows):
         yield "  ".join(text.ljust(width) for text, width in zip(row, widths)).rstrip()
