@@ -66,7 +66,8 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
         pass
     with tempfile.TemporaryDirectory(prefix="tribox-") as folder:
         out = os.path.join(folder, "mesh.npz")
-        run("tribox.read", "info", "--quiet", "--out", out, "--", os.fspath(path), stacklevel=3)
+        name = os.fspath(path)
+        run("tribox.read", "info", "--quiet", "--out", out, "--", "./-" if name == "-" else name, stacklevel=3)  # - is stdin
         with np.load(out, allow_pickle=False) as arrays:
             mesh = Mesh(arrays["vertices"], arrays["faces"])
             mesh._face_colors = arrays["colours"] if "colours" in arrays.files else None
