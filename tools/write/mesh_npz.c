@@ -10,14 +10,15 @@
 #include "read/little.h"
 #include "zip.h"
 
-enum { NUMBERS = 3, CORNERS = 3, INDEX = 4, NONE = UINT32_MAX };
+enum { NUMBERS = 3, CORNERS = 3, INDEX = 4 };
+static const uint32_t none = UINT32_MAX;
 
 typedef struct merging {
     const mesh *m;
     size_t vertex;           /* bytes */
     unsigned char *vertices; /* little-endian, as they come */
     size_t count;
-    uint32_t *places; /* a vertex or NONE each, from where the checksum says on */
+    uint32_t *places; /* a vertex or none each, from where the checksum says on */
     size_t mask;      /* how many there are, less one */
     unsigned char *faces;
 } merging;
@@ -64,7 +65,7 @@ static uint32_t find_vertex(merging *g)
 {
     const unsigned char *const last = g->vertices + g->count * g->vertex;
     size_t place = (size_t)checksum_bytes(CHECKSUM_EMPTY, last, g->vertex) & g->mask;
-    for (; g->places[place] != NONE; place = (place + 1) & g->mask)
+    for (; g->places[place] != none; place = (place + 1) & g->mask)
         if (!memcmp(g->vertices + g->places[place] * g->vertex, last, g->vertex))
             return g->places[place];
     return g->places[place] = (uint32_t)g->count++;
@@ -113,7 +114,7 @@ static int write_arrays(const file_out *out, const merging *g, const rgb *colour
 int mesh_npz_write(const file_out *out, const mesh *m, const rgb *colours)
 {
     merging g = {.m = m, .vertex = NUMBERS * (m->is_double ? sizeof(double) : sizeof(float))};
-    if (m->triangles >= NONE / CORNERS)
+    if (m->triangles >= none / CORNERS)
         return message_failure("%s: too many triangles for numbers of 32 bits: %zu; crop the mesh first", out->path, m->triangles);
     int code = make_room(&g) ? EXIT_CODE_OK : message_failure("%s: out of memory for %zu triangles", out->path, m->triangles);
     if (!code) {
