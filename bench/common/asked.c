@@ -68,7 +68,7 @@ bool mesh_list_read_indexed(const char *path, indexed_mesh *m)
     const mesh_kind kind = mesh_kind_of(find(path, whole));
     *m = (indexed_mesh){.positions = NULL};
     if (kind == MESH_STL_TEXT || kind == MESH_OTHER)
-        return message_failure("%s: no PLY, OFF or OBJ file, which have indices", path) == EXIT_CODE_OK;
+        return message_failure("%s: not read: a PLY, OFF or OBJ file is wanted, which has indices", path) == EXIT_CODE_OK;
     const bool is_read = !whole_file_read(whole, &file) && !scan_read(whole, kind, &file, m);
     whole_file_free(&file);
     indexed_mesh_narrow(m);
@@ -175,14 +175,14 @@ static int print_questions(const char *program, const bench_question *const *que
     return ferror(stdout) != 0;
 }
 
-static int answer(int argc, char **argv, const bench_question *of, asked *q)
+static int answer(const bench_question *of, asked *q)
 {
     const char *const csv = q->text[OPTION_CSV];
     q->out.is_json = asked_has(q, OPTION_JSON);
     q->out.csv = csv ? fopen(csv, "w") : NULL;
     if (csv && !q->out.csv)
         return message_failure("cannot write '%s'; does its folder exist?", csv);
-    printout_begin(&q->out, argc, argv, q->seed, q->kernel);
+    printout_begin(&q->out, q->seed, q->kernel);
     const bool is_right = of->answer(q);
     printout_end(&q->out);
     const bool is_lost = csv && ferror(q->out.csv), is_closed = !csv || !fclose(q->out.csv);
@@ -214,6 +214,7 @@ int asked_main(int argc, char **argv, const bench_question *const *questions, si
     for (int o = 0; o < OPTIONS; o++)
         options[o] = (option_entry){table[o].name, 0, table[o].value != NULL};
     q->kernel = tribox_kernel_name(NULL);
+    printout_keep_command(&q->out, argc, argv);
     const int code = options_read(argc - skipped, argv + skipped, options, take, &(reading){q, of}, &found);
     if (code)
         return code;
@@ -223,7 +224,7 @@ int asked_main(int argc, char **argv, const bench_question *const *questions, si
         return message_usage("name a mesh file");
     q->seed = asked_number(q, OPTION_SEED, 1);
     q->order = (generator){~q->seed};
-    return answer(argc, argv, of, q);
+    return answer(of, q);
 }
 
 uint64_t asked_number(const asked *q, asked_option option, uint64_t otherwise)

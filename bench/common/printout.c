@@ -2,26 +2,32 @@
 #include "printout.h"
 
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "build.h"
 #include "commit.h"
 #include "paper/paper.h"
 
-enum { LINE = 512 };
+enum { LINE = PRINTOUT_LINE };
 
 /* The processor as the operating system names it, and whether a hypervisor shows itself. Linux only; elsewhere nothing is found. */
 static bool read_processor(char name[LINE])
 {
     char line[8192];
     bool is_virtual = false;
+    int family = 0, model = 0; /* which tell apart what shares a name, and stand before it */
     FILE *const file = fopen("/proc/cpuinfo", "r");
     snprintf(name, LINE, "unknown processor");
     while (file && fgets(line, sizeof line, file)) {
         const char *const value = strchr(line, ':');
         line[strcspn(line, "\n")] = 0;
+        if (value && !strncmp(line, "cpu family", strlen("cpu family")))
+            family = atoi(value + 1);
+        if (value && !strncmp(line, "model\t", strlen("model\t")))
+            model = atoi(value + 1);
         if (value && !strncmp(line, "model name", strlen("model name")))
-            snprintf(name, LINE - 16, "%s", value + 1 + strspn(value + 1, " "));
+            snprintf(name, LINE - 64, "%s (family %d, model %d)", value + 1 + strspn(value + 1, " "), family, model);
         is_virtual = is_virtual || (!strncmp(line, "flags", strlen("flags")) && strstr(line, "hypervisor"));
     }
     if (file)
@@ -43,8 +49,9 @@ static double read_load(void)
 }
 
 /* An absolute path says nothing on another machine: its last part stands for it. */
-static void command_line(int argc, char **argv, char line[LINE])
+void printout_keep_command(printout *r, int argc, char **argv)
 {
+    char *const line = r->command;
     line[0] = 0;
     for (int i = 0; i < argc; i++) {
         const char *const slash = strrchr(argv[i], '/');
@@ -63,7 +70,7 @@ static void tell(printout *r, const char *name, const char *value)
         fprintf(r->csv, "# %-10s %s\n", name, value);
 }
 
-void printout_begin(printout *r, int argc, char **argv, uint64_t seed, const char *kernel)
+void printout_begin(printout *r, uint64_t seed, const char *kernel)
 {
     char line[LINE];
     const bool is_virtual = read_processor(line);
@@ -75,8 +82,7 @@ void printout_begin(printout *r, int argc, char **argv, uint64_t seed, const cha
     snprintf(line, sizeof line, "%s; baseline for: %s", BENCH_FLAGS, paper_instruction_set());
     tell(r, "flags", line);
     tell(r, "commit", BENCH_COMMIT);
-    command_line(argc, argv, line);
-    tell(r, "command", line);
+    tell(r, "command", r->command);
     snprintf(line, sizeof line, "%llu", (unsigned long long)seed);
     tell(r, "seed", line);
     tell(r, "kernel", kernel);

@@ -18,19 +18,23 @@ typedef struct printout_column {
     bool is_data; /* not in the text */
 } printout_column;
 
-enum { PRINTOUT_COLUMNS = 40 };
+enum { PRINTOUT_COLUMNS = 40, PRINTOUT_LINE = 512 };
 
 typedef struct printout {
     bool is_json, is_table_open, has_rows;
     json to;
     FILE *csv; /* NULL for none */
     char csv_head[1024];
+    char command[PRINTOUT_LINE];
     printout_column row[PRINTOUT_COLUMNS];
     size_t columns;
 } printout;
 
+/* Keeps the command line, which is asked before options are read: that moves words of it. */
+void printout_keep_command(printout *r, int argc, char **argv);
+
 /* Processor, compiler, flags, commit, command, seed, kernel and limits. Without them a figure says nothing. */
-void printout_begin(printout *r, int argc, char **argv, uint64_t seed, const char *kernel);
+void printout_begin(printout *r, uint64_t seed, const char *kernel);
 void printout_end(printout *r);
 
 /* The title of a table, in a line; rows follow. */
