@@ -6,7 +6,8 @@
  * What a call answers, its units and its statuses are told in tribox.h; here is what differs.
  *
  *   Containers  Are viewed where they lie, never copied, and must outlive the view: temporaries that own elements are refused.
- *   Lengths     Are known. A view that is too short is TRIBOX_BAD_ARGUMENT, and then nothing is written; nullptr is "not wanted".
+ *   Lengths     Are known. A view that is too short is TRIBOX_BAD_ARGUMENT, and then nothing is written. For an
+ *               output nullptr means that it is not wanted.
  *   Arguments   In the order of tribox.h, but options come last, as they may be left out; the report is returned.
  *   Errors      Are thrown as tribox::error. A tribox::status as the last argument receives them instead, and nothing is thrown.
  *   Sinks       Any callable. It returns nothing, or as in C what is true to end the call, which is TRIBOX_STOPPED but not thrown.
@@ -139,6 +140,9 @@ namespace detail
 {
 template <class T> using bare = std::remove_cv_t<std::remove_reference_t<T>>;
 
+/* Of a struct of C itself: braces around something else are not taken for its members. */
+template <class C, class Of> using if_same = std::enable_if_t<std::is_same_v<C, Of>>;
+
 /* What has three of something: an array of three or four; or members x, y and z that follow each other, which come first. */
 template <class P, class = void> struct array {
     using inner = void;
@@ -212,7 +216,23 @@ struct points {
           stride(std::size(range) * E::numbers % 3 ? 1 : E::stride), bytes(E::bytes)
     {
     }
-    /** A member of each element, a point or a triangle: mesh({vertices, &vertex::position}, indices). */
+    /** Three members of each element, which is nothing but them: of struct triangle { float3 a, b, c; }. */
+    template <class Range, class Of, class Point, class = detail::element_of<Range>, class E = detail::element<Point>,
+              class = std::enable_if_t<detail::is_real<E> && E::numbers == 3 && sizeof(Of) == 3 * sizeof(Point)>>
+    points(Range &&range, Point Of::*a, Point Of::*b, Point Of::*c)
+        : first(nullptr), count(3 * std::size(range)), stride(sizeof(Point)), bytes(E::bytes)
+    {
+        if (!count)
+            return;
+        const Point *const at = &(std::data(range)->*a);
+        first = reinterpret_cast<const char *>(at) + E::offset;
+        if (&(std::data(range)->*b) != at + 1 || &(std::data(range)->*c) != at + 2)
+            stride = 1; // not in the order of the members, which is refused
+    }
+    /**
+     * A member of each element: a point, mesh({vertices, &vertex::position}, indices), or a triangle if the element is nothing else.
+     * With a point each element is one vertex, also without indices.
+     */
     template <
         class Range, class Of, class Member, class = detail::element_of<Range>, class E = detail::element<Member>,
         class = std::enable_if_t<detail::is_real<E> && (E::numbers == 3 || (E::numbers == 9 && sizeof(Of) == sizeof(Member)))>>
@@ -241,7 +261,7 @@ struct corners {
 
 /** A tribox_mesh over containers: mesh(vertices, indices), or mesh(vertices), each three of which are a triangle. */
 struct mesh : tribox_mesh {
-    mesh(const tribox_mesh &from) : tribox_mesh(from) {}
+    template <class C, class = detail::if_same<C, tribox_mesh>> mesh(const C &from) : tribox_mesh(from) {}
     explicit mesh(const points &of) : mesh(of, nullptr, 0, of.count / 3) { stride = of.count % 3 ? 1 : stride; /* refused */ }
     mesh(const points &of, const corners &by) : mesh(of, by.first, by.bytes, by.count) {}
 
@@ -255,7 +275,7 @@ struct mesh : tribox_mesh {
 /** A tribox_soup over nine containers of floats: soup({x0, x1, x2}, {y0, y1, y2}, {z0, z1, z2}). They must be of one length. */
 struct soup : tribox_soup {
     using streams = view<const float>[3];
-    soup(const tribox_soup &from) : tribox_soup(from) {}
+    template <class C, class = detail::if_same<C, tribox_soup>> soup(const C &from) : tribox_soup(from) {}
     soup(const streams &xs, const streams &ys, const streams &zs) : tribox_soup{}
     {
         count = xs[0].size();
@@ -269,7 +289,7 @@ struct soup : tribox_soup {
 
 /** A tribox_boxes over six containers of floats: boxes({lo_x, lo_y, lo_z}, {hi_x, hi_y, hi_z}). They must be of one length. */
 struct boxes : tribox_boxes {
-    boxes(const tribox_boxes &from) : tribox_boxes(from) {}
+    template <class C, class = detail::if_same<C, tribox_boxes>> boxes(const C &from) : tribox_boxes(from) {}
     boxes(const soup::streams &los, const soup::streams &his) : tribox_boxes{}
     {
         const soup both(los, his, his);
@@ -283,7 +303,7 @@ struct boxes : tribox_boxes {
 
 /** A tribox_box: box({-1, -1, -1}, {1, 1, 1}), or of two points of a type that meshes may have. */
 struct box : tribox_box {
-    box(const tribox_box &from) : tribox_box(from) {}
+    template <class C, class = detail::if_same<C, tribox_box>> box(const C &from) : tribox_box(from) {}
     box(const double (&low)[3], const double (&high)[3]) : tribox_box{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}} {}
     template <class Point, class E = detail::element<Point>, class = std::enable_if_t<E::numbers == 3>>
     box(const Point &low, const Point &high) : tribox_box{}
@@ -311,7 +331,7 @@ struct box : tribox_box {
 /** A tribox_grid: grid({0, 0, 0}, 0.1, {256, 256, 256}), or with a length for each axis. */
 struct grid : tribox_grid {
     using whole = uint32_t[3];
-    grid(const tribox_grid &from) : tribox_grid(from) {}
+    template <class C, class = detail::if_same<C, tribox_grid>> grid(const C &from) : tribox_grid(from) {}
     grid(const double (&at)[3], double length, const whole &cells) : grid(at, {length, length, length}, cells) {}
     grid(const double (&at)[3], const double (&length)[3], const whole &cells)
         : tribox_grid{{at[0], at[1], at[2]}, {length[0], length[1], length[2]}, {cells[0], cells[1], cells[2]}}
@@ -539,6 +559,10 @@ template <class Take>
 report split(triangles of, view<const uint32_t> list, const box &parent, split_memory &memory, Take &&take,
              const double *middle = nullptr, const options &how = {}, on_error fails = {})
 {
+    if (!list.data() && list.size()) { // nullptr, as if it were an output
+        fails(TRIBOX_BAD_ARGUMENT);
+        return {};
+    }
     struct while_here {
         size_t &depth;
         ~while_here() { depth--; }

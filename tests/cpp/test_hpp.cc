@@ -30,6 +30,9 @@ struct vertex {
 struct triangle {
     float3 v[3];
 };
+struct three {
+    float3 a, b, c;
+};
 struct swapped {
     float z, y, x;
 };
@@ -126,6 +129,14 @@ template <class Call> tribox::status said(const Call &call)
     return said;
 }
 
+/* Whether a mesh is made of two values in braces. */
+template <class A, class B, class = void> struct makes_mesh : std::false_type {
+};
+template <class A, class B>
+struct makes_mesh<A, B, std::void_t<decltype(tribox::mesh({std::declval<A>(), std::declval<B>()}))>> : std::true_type {
+};
+static_assert(makes_mesh<const float *, size_t>::value && !makes_mesh<const float3 *, size_t>::value, "no members of tribox_mesh");
+
 void views()
 {
     using tribox::mesh;
@@ -134,6 +145,14 @@ void views()
     CHECK(is_same(mesh({at.triangles, &triangle::v})));
     CHECK(is_same(mesh({&at.points[0].x, at.points.size(), sizeof at.points[0]}, at.faces)));
     CHECK(is_same(mesh(tribox::view<const float3>(at.triangles[0].v, 3 * at.triangles.size()))));
+
+    std::vector<three> threes;
+    for (const triangle &t : at.triangles)
+        threes.push_back({t.v[0], t.v[1], t.v[2]});
+    CHECK(is_same(mesh({threes, &three::a, &three::b, &three::c})));
+    CHECK(said([&](tribox::on_error to) {
+              tribox::overlap(mesh({threes, &three::a, &three::c, &three::b}), about, nullptr, {}, to);
+          }) == TRIBOX_BAD_ARGUMENT);
 
     std::vector<vertex> vertices;
     std::vector<std::array<double, 4>> arrays;
@@ -156,7 +175,7 @@ void views()
     CHECK(is_same(mesh({&vertices[0].position.x, vertices.size(), sizeof(vertex)}, at.faces)));
     CHECK(is_same(mesh(arrays, with_sign)));
     CHECK(is_same(mesh(doubles, at.flat)));
-    CHECK(is_same(mesh(numbers, at.flat)));
+    CHECK(is_same(mesh(numbers, at.flat)) && is_same(mesh({numbers.data(), at.points.size()}, at.flat)));
     CHECK(is_same(mesh(unions, at.flat)) && is_same(mesh(hidden, at.flat)));
 #ifdef __cpp_lib_span
     CHECK(is_same(mesh(std::span(at.points), std::span(at.faces))));
@@ -365,6 +384,10 @@ void splits()
     CHECK(flat[1] && flat[3] && !flat[4] && !flat[7]);
     CHECK(tribox::split(at.soup(), none, cube, nullptr).overlapping == 0);
     CHECK(tribox::split(at.mesh, none, cube, memory, [](unsigned, tribox::view<const uint32_t>) {}).overlapping == 0);
+    CHECK(said([&](tribox::on_error to) {
+              tribox::split(
+                  at.mesh, nullptr, cube, memory, [](unsigned, const auto &) {}, nullptr, {}, to);
+          }) == TRIBOX_BAD_ARGUMENT);
     int calls = 0;
     tribox::status said;
     const auto stop = [&](unsigned, const auto &) { return ++calls == 2; };
