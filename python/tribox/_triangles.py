@@ -31,11 +31,12 @@ def bounds_of(held_):
     else:
         check_indices(held_)
         is_used, faces = np.zeros(len(points), bool), held_.faces
-        is_used[faces[is_finite.all(1)[faces].all(1)]] = True
+        is_used[faces if is_finite.all() else faces[is_finite.all(1)[faces].all(1)]] = True
     if not is_used.any():
         return None
     points = points if is_used.all() else points[is_used]
-    return [points.min(0).tolist(), points.max(0).tolist()]
+    axes = [points[:, a] for a in range(3)]  # one by one, many times as fast
+    return [[axis.min().item() for axis in axes], [axis.max().item() for axis in axes]]
 
 
 def point(numbers):
