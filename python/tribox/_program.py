@@ -13,7 +13,7 @@ from typing import Union
 import numpy as np
 
 from ._errors import Error, InputError, shown
-from ._triangles import Mesh
+from ._triangles import Mesh, mesh_of
 
 
 def program(what):
@@ -69,9 +69,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
         name = os.fspath(path)
         run("tribox.read", "info", "--quiet", "--out", out, "--", "./-" if name == "-" else name, stacklevel=3)  # - is stdin
         with np.load(out, allow_pickle=False) as arrays:
-            mesh = Mesh(arrays["vertices"], arrays["faces"])
-            mesh._face_colors = arrays["colours"] if "colours" in arrays.files else None
-    return mesh
+            return mesh_of(arrays["vertices"], arrays["faces"], arrays["colours"] if "colours" in arrays.files else None)
 
 
 def write_by_program(file, write_npz, path, ending):

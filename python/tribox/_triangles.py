@@ -240,9 +240,19 @@ class Mesh(metaclass=Brief):
     def __len__(self) -> int:
         return int(self.struct.count)
 
+    def __reduce__(self) -> Any:
+        return mesh_of, (self.vertices, self.faces, self.face_colors)
+
     def __repr__(self) -> str:
         what = "triangles" if self.faces is None else f"faces of {self.faces.dtype}"
         return (f"<tribox.Mesh: {self.struct.vertices} vertices of {self.vertices.dtype}, {len(self)} {what}, {extent(self)}>")
+
+
+def mesh_of(vertices, faces, face_colors):
+    """A Mesh with colours of its faces, or None."""
+    mesh = Mesh(vertices, faces)
+    mesh._face_colors = face_colors
+    return mesh
 
 
 class Soup(metaclass=Brief):

@@ -1,5 +1,6 @@
 """Files of cells as the program writes them, whose planes are those that were asked about; and meshes as the program reads them."""
 
+import copy
 import json
 import os
 import pickle
@@ -215,7 +216,9 @@ class Files(cases.TestCase):
                 except tribox.InputError as error:
                     self.assertIn("built without libassimp", str(error))
                     continue
-                self.assert_same(mesh.vertices[mesh.faces], triangles, name)
+                for same in (mesh, pickle.loads(pickle.dumps(mesh)), tribox.Mesh(triangles), copy.deepcopy(tribox.Mesh(triangles))):
+                    corners = same.vertices if same.faces is None else same.vertices[same.faces]
+                    self.assert_same(corners, triangles, name)
                 self.assertIsNone(mesh.face_colors)
                 self.assert_same(*(np.array(tribox.voxelize(one, GRIDS["tenths"])) for one in (mesh, triangles)))
                 self.assert_same(tribox.overlap(mesh, cases.LO, cases.HI), tribox.overlap(triangles, cases.LO, cases.HI))
