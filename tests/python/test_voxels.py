@@ -78,7 +78,7 @@ class Arrays(cases.TestCase):
             self.assertRaises((ValueError, AttributeError), call)
         with self.assertRaises(TypeError):
             voxels[0, 0, 0] = True
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(TypeError, "Voxels are read-only; write a = a [|] b"):
             voxels |= voxels
         np.array(voxels)[:] = True
         self.assert_same(voxels, self.array)
