@@ -52,6 +52,20 @@ export async function opens() {
     assert.ok(links.every(([, address]) => address && !address.startsWith('built:')), `${links}`);
 }
 
+/** Grey beside the answer about another box, and as it was beside that about its own. */
+export async function theFactorIsOfItsBox() {
+    const page = await openPage({ query: '', options: STILL }), factor = page.locator('#factor:not(:empty)');
+    const look = async () => [await factor.getAttribute('class'), await factor.getAttribute('title')];
+    const own = ['', 'Both on one thread, timed for this box'];
+    await factor.waitFor();
+    assert.deepEqual(await look(), own);
+    await page.focus('#canvas');
+    await answerAfter(page, () => page.keyboard.press('ArrowUp'));
+    assert.deepEqual(await look(), ['is-of-another', 'Both on one thread, timed for another box']);
+    await answerAfter(page, () => page.click('#reset'));
+    assert.deepEqual(await look(), own);
+}
+
 /** Of a triangle and the cube, by the program; axes: groups. */
 const overlaps = (triangle, axes) => {
     const words = ['overlap', 'MESH', '--box=-1,-1,-1,1,1,1', ...(axes ? ['--axes', axes] : [])];

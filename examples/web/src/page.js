@@ -208,7 +208,7 @@ export class Page {
             if (box.turned) throw new Error('The paper takes upright boxes. Press Reset, or type one.');
             const result = await engine.measure({ box, axes: panel.test().axes }, ({ stage }) => panel.measuring(`${stage}…`));
             drawChart(panel.chart, result, engine.kernel);
-            panel.showFactor(factorOf(result));
+            panel.showFactor(factorOf(result), box);
         } catch (error) {
             panel.chartNote(error.message);
         } finally {

@@ -221,19 +221,30 @@ export class Panel {
         element('progress').hidden = !text;
     }
 
-    /** How many times as fast as the paper's; 0 where that was not measured. */
-    showFactor(factor) {
+    /** How many times as fast as the paper's, about a box; 0 where that was not measured. */
+    showFactor(factor, box) {
+        this.factorBox = box && textOfBox(box);
         element('factor').textContent = factor ? `${factor.toFixed(factor < 10 ? 1 : 0)} × the paper’s` : '';
+        this.dimFactor();
+    }
+
+    /** It is grey beside the answer about another box. */
+    dimFactor() {
+        const isOfAnother = this.factorBox !== this.answeredBox;
+        element('factor').classList.toggle('is-of-another', isOfAnother);
+        element('factor').title = `Both on one thread, timed for ${isOfAnother ? 'another' : 'this'} box`;
     }
 
     /** Returns the triangles that are answered unlike EXACT. */
     showAnswer(answer, { box, test, byIndex }, mesh, engine) {
         const { overlapping, insides, unlike } = answer, { count } = engine;
+        this.answeredBox = textOfBox(box);
         this.showTime(answer.milliseconds, byIndex, engine);
+        this.dimFactor();
         element('straddling').textContent = whole(overlapping - insides);
         element('inside').textContent = whole(insides);
         element('missed').textContent = whole(count - overlapping);
-        if (document.activeElement !== element('numbers')) this.showNumbers(textOfBox(box));
+        if (document.activeElement !== element('numbers')) this.showNumbers(this.answeredBox);
         element('numbers-label').textContent = box.turned ? 'Centre, half lengths, three axes' : 'Lower and upper corner';
         element('command').textContent = commandOf(mesh.name, box, test);
         this.speak(
