@@ -17,7 +17,7 @@ import { Stage } from './view/stage.js';
 import { Triangles } from './view/triangles.js';
 
 /* Dark or light: what the system prefers, until the button is pressed. */
-const names = ['missed', 'straddling', 'inside', 'unlike', 'box', 'cells'];
+const names = ['missed', 'straddling', 'inside', 'unlike', 'box', 'soft', 'cells'];
 
 function coloursOf(root) {
     const style = getComputedStyle(root);

@@ -17,7 +17,7 @@ export const EDGES = [0, 1, 2].flatMap((axis) =>
 export class NodeBoxes {
     constructor(stage) {
         this.stage = stage;
-        this.kinds = { nodes: 0.9, words: 0.5 };
+        this.kinds = { nodes: 0.5, words: 0.5 };
         for (const [kind, opacity] of Object.entries(this.kinds)) {
             const material = new LineBasicMaterial({ transparent: true, opacity, toneMapped: false });
             this[kind] = new LineSegments(new BufferGeometry(), material);
@@ -41,7 +41,7 @@ export class NodeBoxes {
     }
 
     paint(colours) {
-        this.nodes.material.color = new Color(colours.box);
+        this.nodes.material.color = new Color(colours.soft); // the box that is asked about is heavier
         this.words.material.color = new Color(colours.straddling);
     }
 }
