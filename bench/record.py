@@ -8,7 +8,7 @@ import json
 import statistics
 import subprocess
 
-QUESTIONS = (("ratios --rounds 7", False), ("voxels --quick", False),
+QUESTIONS = (("ratios --rounds 7", False), ("sweep --quick", False), ("voxels --quick", False), ("index --quick", False),
              ("ratios --rounds 7", True), ("index --quick", True))
 
 
