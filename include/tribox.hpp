@@ -230,8 +230,8 @@ struct points {
             stride = 1; // not in the order of the members, which is refused
     }
     /**
-     * A member of each element: a point, mesh({vertices, &vertex::position}, indices), or a triangle if the element is nothing else.
-     * With a point each element is one vertex, also without indices.
+     * A member of each element: a point, mesh({vertices, &vertex::position}, indices), or a triangle if the element is that alone.
+     * A point makes each element one vertex, also without indices.
      */
     template <
         class Range, class Of, class Member, class = detail::element_of<Range>, class E = detail::element<Member>,
