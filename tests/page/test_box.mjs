@@ -114,9 +114,16 @@ export async function takesNumbers() {
         assert.equal(boxOf(answer).join(), text.replaceAll(' ', ','));
         assertSame(answer, coarseFile);
     }
-    await page.fill('#numbers', '1,2,3');
-    await page.press('#numbers', 'Enter');
-    assert.match(await page.textContent('#message'), /"1,2,3" is no box/);
+    const turned = '1,1,0,1,-0.5,0.25,0.8,0.6,0,-0.6,0.8,0,0,0,1';
+    for (const [text, why] of [
+        ['1,1,1,0,0,0', 'lower exceeds upper on x'], ['0,0,0,1,1,-1', 'lower exceeds upper on z'],
+        [turned, 'half length less than 0 on y'], ['1,2,3', 'six numbers are wanted, the lower corner and then the upper: 0,0,0,1,1,1'],
+    ]) {
+        await page.fill('#numbers', text);
+        await page.press('#numbers', 'Enter');
+        assert.equal(await page.textContent('#message'), `"${text}" is no box: ${why}`);
+        assert.equal(await page.getAttribute('#numbers', 'aria-invalid'), 'true');
+    }
     await answerAfter(page, () => page.$eval('#reset', (button) => button.click())); // the focus stays
     assert.ok(await page.isHidden('#message'), 'the message stays above the next answer');
 }

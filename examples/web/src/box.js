@@ -35,14 +35,13 @@ const numbersOf = (box) => (box.turned ? [...box.center, ...box.half, ...box.axe
 
 export const textOfBox = (box) => numbersOf(box).map(String).join(',');
 
-/** Six numbers are an upright box, fifteen a turned one; anything else is null. */
+/** Six numbers are an upright box, fifteen a turned one; throws if the text is neither. */
 export function boxOfText(text) {
-    const numbers = text.trim().split(/[\s,]+/).map(Number);
-    if (!numbers.every(Number.isFinite)) return null;
-    if (numbers.length === 6) {
-        const box = { lo: numbers.slice(0, 3), hi: numbers.slice(3) };
-        return box.lo.every((l, a) => l <= box.hi[a]) ? box : null;
-    }
-    if (numbers.length !== 15 || !numbers.slice(3, 6).every((h) => h >= 0)) return null;
+    const numbers = text.trim().split(/[\s,]+/).map(Number), isTurned = numbers.length === 15;
+    if (!numbers.every(Number.isFinite) || (numbers.length !== 6 && !isTurned))
+        throw new Error('six numbers are wanted, the lower corner and then the upper: 0,0,0,1,1,1');
+    const axis = [0, 1, 2].find((a) => (isTurned ? 0 : numbers[a]) > numbers[3 + a]);
+    if (axis !== undefined) throw new Error(`${isTurned ? 'half length less than 0' : 'lower exceeds upper'} on ${'xyz'[axis]}`);
+    if (!isTurned) return { lo: numbers.slice(0, 3), hi: numbers.slice(3) };
     return { turned: true, center: numbers.slice(0, 3), half: numbers.slice(3, 6), axes: numbers.slice(6) };
 }

@@ -154,7 +154,7 @@ function listen(page, panel, motion, story) {
     panel.onScene = (name) => makers.showScene(name);
     panel.onNumbers = (text) => {
         motion.stop();
-        return page.placeText(text);
+        page.placeText(text);
     };
     element('reset').addEventListener('click', () => {
         motion.stop();

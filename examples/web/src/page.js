@@ -157,11 +157,10 @@ export class Page {
         this.ask();
     }
 
-    /** Returns whether the text is a box. */
+    /** Throws if the text is no box. */
     placeText(text) {
         const box = boxOfText(text);
-        if (box && this.mesh) this.placeBox(box);
-        return Boolean(box);
+        if (this.mesh) this.placeBox(box);
     }
 
     reset() {

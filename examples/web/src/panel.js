@@ -128,14 +128,13 @@ export class Panel {
     }
 
     numbersChanged(input) {
-        const isRead = this.onNumbers(input.value);
-        input.setAttribute('aria-invalid', !isRead);
-        if (isRead) this.clearMessage('numbers');
-        else
-            this.say(
-                'numbers',
-                `"${input.value}" is no box. Six numbers are wanted, the lower corner and then the upper: 0,0,0,1,1,1`,
-            );
+        try {
+            this.onNumbers(input.value);
+            this.clearMessage('numbers');
+        } catch (error) {
+            input.setAttribute('aria-invalid', true);
+            this.say('numbers', `"${input.value}" is no box: ${error.message}`);
+        }
     }
 
     test() {
