@@ -322,6 +322,7 @@ SCENES = {
                         grid_of("1", "0,0,0", "384,384,8"), ("--accuracy", word), ("npz",)) for word in ("conservative", "fast")},
     "scalar": (LATTICE, TILES, ("--kernel", "scalar"), ("npz",)),
     "nothing": (LATTICE, grid_of("1", "100,100,100", "200,200,200"), (), ("npz", "raw", "ply")),
+    "padded": (SHELL, grid_of("0.03", "-2,-0.7,-1.7", "70,131,90"), ("--fill", "parity"), ("npz", "binvox")),
     "shifted": (LATTICE, ("--shift", "1000,-5,0.1", "-r", "200"), (), ("npz", "binvox")),
     "auto": (FAR, ("--shift", "auto", "-r", "200"), (), ("npz",)),
     "ids": (np.concatenate([MANY, NEVER, MANY[::-7]]), grid_of("0.03,0.06,0.03", "-2,-2,-2", "131,66,130"), ("--ids",),

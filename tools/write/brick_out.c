@@ -64,8 +64,7 @@ static int write_dense(const volume_format *format, const file_out *file, const 
 {
     if (format->writer->frame)
         return dense_write(format->writer->frame, file, v, threads, bar);
-    format->writer->write(file->stream, v, bar);
-    return EXIT_CODE_OK;
+    return format->writer->write(file->stream, v, bar) ? EXIT_CODE_OK : file_out_failure(file);
 }
 
 static int end_dense(brick_out *out, progress *bar) { return write_dense(out->format, out->file, &out->cells, out->threads, bar); }

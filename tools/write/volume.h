@@ -34,8 +34,8 @@ typedef struct volume_writer {
     /* A dense format, which dense_write writes. */
     const volume_frame *frame;
 
-    /* Another dense format: writes layer by layer. Stops where the stream fails, which ferror then reports. */
-    void (*write)(FILE *to, const voxels *v, progress *bar);
+    /* Another dense format. Stops where the stream fails, which ferror then reports. False, with errno, without memory. */
+    bool (*write)(FILE *to, const voxels *v, progress *bar);
 
     /* A format that takes bricks as they come; see brick_out.h. */
     const struct brick_writer *bricks;

@@ -72,7 +72,7 @@ static void write_label_palette(FILE *to)
     fwrite(colours, 1, sizeof colours, to);
 }
 
-static void write_vox(FILE *to, const voxels *v, progress *bar)
+static bool write_vox(FILE *to, const voxels *v, progress *bar)
 {
     const uint32_t *n = v->grid.size, cells = (uint32_t)voxels_occupied(v), cell_bytes = 4 + 4 * cells;
     const bool has_labels = voxels_have_labels(v);
@@ -94,6 +94,7 @@ static void write_vox(FILE *to, const voxels *v, progress *bar)
         write_palette(to, &v->colours->palette);
     else if (has_labels)
         write_label_palette(to);
+    return true;
 }
 
 const volume_writer volume_vox = {.check_grid = check_grid, .write = write_vox};
