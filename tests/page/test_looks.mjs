@@ -169,6 +169,22 @@ export async function reducedMotion() {
     assert.equal(await page.getAttribute('#play', 'aria-pressed'), 'false');
 }
 
+/** Neither a word of the command nor a number is broken, whatever the width, unless it is longer than a line. */
+export async function commandsBreakAtWords() {
+    const page = await usualPage();
+    const pieces = await page.evaluate(async () => {
+        const code = document.getElementById('command'), seen = [];
+        for (let width = 60; width < 360; width += 7) {
+            code.parentElement.style.width = `${width}px`;
+            for (const span of code.querySelectorAll('span')) seen.push([span.textContent, span.clientHeight, width]);
+        }
+        code.parentElement.style.width = '';
+        return seen;
+    });
+    assert.deepEqual(pieces.slice(0, 2).map(([text]) => text), ['tribox ', 'tribox ']);
+    assert.deepEqual(pieces.filter(([text, height, width]) => height > 30 && 8 * text.length < width), []);
+}
+
 export async function countsAreSpoken() {
     const page = await usualPage();
     await page.waitForFunction(() => document.getElementById('spoken').textContent.includes('straddle the box'));

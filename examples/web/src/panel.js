@@ -45,6 +45,17 @@ function commandOf(name, box, test) {
     return words.join(' ');
 }
 
+/** Lines end after words, in words that are longer than a line after commas, and never at a hyphen. */
+function showCommand(code, command) {
+    const spans = (text, after, fill) =>
+        text.split(after).map((part) => {
+            const span = document.createElement('span');
+            span.append(...fill(part));
+            return span;
+        });
+    code.replaceChildren(...spans(command, /(?<= )/, (word) => spans(word, /(?<=,)/, (number) => [number])));
+}
+
 const element = (id) => document.getElementById(id);
 const MOST_LISTED = 2000;
 const SPEAK_AFTER = 700;
@@ -245,7 +256,7 @@ export class Panel {
         element('missed').textContent = whole(count - overlapping);
         if (document.activeElement !== element('numbers')) this.showNumbers(this.answeredBox);
         element('numbers-label').textContent = box.turned ? 'Centre, half lengths, three axes' : 'Lower and upper corner';
-        element('command').textContent = commandOf(mesh.name, box, test);
+        showCommand(element('command'), commandOf(mesh.name, box, test));
         this.speak(
             `${whole(overlapping - insides)} triangles straddle the box, ${whole(insides)} lie inside, ` +
                 `${whole(count - overlapping)} miss it.`,
