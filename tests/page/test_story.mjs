@@ -236,7 +236,10 @@ export async function cellsAndBox() {
     for (const cells of ['32', '20']) {
         await page.fill('#cells-slider', cells);
         await page.waitForFunction((n) => document.getElementById('cells-note').textContent.includes(`${n} ×`), cells);
+        assert.equal(await page.textContent('#cells-value'), cells);
     }
+    for (const i of [1, 9]) await page.click(`#dots li:nth-child(${i}) button`); // which shows it as it was first
+    assert.deepEqual([await page.inputValue('#cells-slider'), await page.textContent('#cells-value')], ['32', '32']);
 }
 
 export async function oneScrollsOrClicks() {

@@ -123,9 +123,13 @@ export class Panel {
     }
 
     resolutionChanged() {
-        element('resolution-value').value = element('resolution').value;
+        this.showResolution(element('resolution').value);
         element('cells').checked = true;
         this.onCells();
+    }
+
+    showResolution(cells) {
+        for (const id of ['resolution-value', 'cells-value']) element(id).value = cells;
     }
 
     setResolution(cells) {
@@ -159,7 +163,8 @@ export class Panel {
         element('order').value = '0';
         element('by-index').checked = byIndex;
         element('cells').checked = cells;
-        element('resolution').value = resolution;
+        for (const id of ['resolution', 'cells-slider']) element(id).value = resolution;
+        this.showResolution(resolution);
         this.chooseAccuracy(accuracy);
         this.onCells();
     }
@@ -312,7 +317,6 @@ export class Panel {
     showCells({ count, grid, resolution, drawnAt, milliseconds: ms }, engine) {
         const coarser = drawnAt < resolution ? ` Drawn at ${drawnAt}: so many faces would be slow here.` : '';
         element('cells-note').textContent = `${whole(count)} of ${grid.size.join(' × ')} cells in ${milliseconds(ms)}.${coarser}`;
-        element('resolution-value').value = resolution;
         if (this.about === 'cells') this.showFigures(ms, `${whole(count)} of ${grid.size.join(' × ')} cells, `, engine);
     }
 
