@@ -217,7 +217,9 @@ export class Panel {
     showMesh({ name, triangles, sample, bounds }) {
         const count = triangles.length / 9,
             left = bounds.notFinite ? ` ${whole(bounds.notFinite)} have coordinates that are not finite, and overlap nothing.` : '';
-        const drawn = sample ? ` Drawn: ${whole(sample.numbers.length)} in place of all, and those that straddle.` : '';
+        const drawn = sample
+            ? ` Drawn coarser: ${whole(sample.numbers.length)} triangles stand for ${whole(count)}. Triangles that straddle are all drawn.`
+            : '';
         if (name) element('scene').value = fileValue(name);
         element('mesh-note').textContent = `${name ? `${name}: ${whole(count)} triangles.` : ''}${left}${drawn} ` +
             'Or drop a file: .stl, .obj, .ply, .off, .glb. It stays on this machine.';
