@@ -76,7 +76,10 @@ function readCell(cell) {
 
 /** Of given {resolution} or {cell}, around bounds. */
 export function gridAround(memory, bounds, given) {
-    const cell = 'resolution' in given ? cubesFor(memory, bounds, given.resolution) : readCell(given.cell);
+    const way = 'resolution' in given ? 'resolution' : 'cell', other = Object.keys(given).find((key) => key !== way);
+    if (other)
+        throw new TypeError(`grid.${other} does not go with ${way}: give {resolution}, {cell}, or {origin, cell, size}`);
+    const cell = way === 'resolution' ? cubesFor(memory, bounds, given.resolution) : readCell(given.cell);
     return { origin: bounds.lo, cell, size: bounds.lo.map((start, a) => cellsReaching(memory, start, cell[a], bounds.hi[a])) };
 }
 
