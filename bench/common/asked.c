@@ -69,7 +69,7 @@ bool mesh_list_read_indexed(const char *path, indexed_mesh *m)
     *m = (indexed_mesh){.positions = NULL};
     if (kind == MESH_STL_TEXT || kind == MESH_OTHER)
         return message_failure("%s: not read: a PLY, OFF or OBJ file is wanted, which has indices", path) == EXIT_CODE_OK;
-    const bool is_read = !whole_file_read(whole, &file) && !scan_read(whole, kind, &file, m);
+    const bool is_read = !whole_file_read(whole, kind, &file) && !scan_read(whole, kind, &file, m);
     whole_file_free(&file);
     indexed_mesh_narrow(m);
     if (is_read && (m->position_bytes != sizeof(float) || !m->triangles))

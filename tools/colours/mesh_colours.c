@@ -80,7 +80,7 @@ static bool read_lines(materials *m, const char *path, const whole_file *file)
 static int read_file(materials *m, const char *path)
 {
     whole_file file;
-    int code = whole_file_read(path, &file);
+    int code = whole_file_read(path, MESH_OTHER, &file);
     if (!code && !read_lines(m, path, &file))
         code = message_failure("%s: out of memory for its materials", path);
     whole_file_free(&file);
@@ -296,7 +296,7 @@ static int read_faces(const char *path, mesh_kind kind, const file_out_names *ou
         return message_failure("%s: out of memory", path);
     c->to = to;
     c->materials = (materials){.path = path, .outputs = outputs};
-    int code = whole_file_read(path, &file);
+    int code = whole_file_read(path, kind, &file);
     if (!code) {
         code = scan_open(path, kind, &file, &c->s);
         code = code ? code : scan_colours(path, c);

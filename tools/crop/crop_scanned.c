@@ -255,7 +255,7 @@ int crop_scanned(crop *c, mesh_kind kind)
         return message_failure("%s: out of memory", c->path);
     k->c = c;
     const bool is_mapped = kind == MESH_PLY && map_binary(k, &map, &file);
-    int code = is_mapped ? EXIT_CODE_OK : whole_file_read(c->path, &file);
+    int code = is_mapped ? EXIT_CODE_OK : whole_file_read(c->path, kind, &file);
     if (!code) {
         c->is_changed = scan_open(NULL, kind, &file, &k->s) != EXIT_CODE_OK;
         code = c->is_changed ? EXIT_CODE_OK : crop_items(k);

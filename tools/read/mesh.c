@@ -42,7 +42,7 @@ static int read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned 
     const char *const path = triangle_file_name(from);
     whole_file file;
     indexed_mesh indexed = {.positions = NULL};
-    int code = whole_file_read(from, &file);
+    int code = whole_file_read(from, kind, &file);
     if (!code && kind == MESH_OTHER) {
         words first = words_of(path, &file, '#');
         words_next(&first);

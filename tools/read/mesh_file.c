@@ -44,8 +44,18 @@ static int read_bytes(const char *path, FILE *stream, whole_file *file)
     return message_failure("%s: cannot read the file: %s", path, reason);
 }
 
-/* Its size is known at its end. */
-static int read_stdin(whole_file *file)
+/* Whether the reader of a kind takes what a file begins with, in as far as it is read. */
+static bool is_begun(mesh_kind kind, const whole_file *file)
+{
+    words first = words_of(NULL, file, '#');
+    const bool has_word = words_next(&first);
+    if (kind == MESH_PLY)
+        return has_word && first.word == file->bytes && words_is(&first, "ply");
+    return kind != MESH_OFF || !has_word || !strncmp(first.word + strspn(first.word, "STCN"), "OFF", 3);
+}
+
+/* Its size is known at its end. What begins like no mesh of its kind is left there, for the kind's reader to refuse. */
+static int read_stdin(mesh_kind kind, whole_file *file)
 {
     const size_t piece = (size_t)1 << 22;
     size_t room = 0, got = piece;
@@ -57,19 +67,21 @@ static int read_stdin(whole_file *file)
         errno = 0;
         got = fread(bytes + file->size, 1, piece, stdin);
         file->size += got;
+        file->bytes[file->size] = '\0';
+        if (file->size == piece && !is_begun(kind, file))
+            break;
     }
-    file->bytes[file->size] = '\0';
     if (ferror(stdin))
         return message_failure("stdin: cannot read the mesh: %s", strerror(errno));
     return file->size ? EXIT_CODE_OK : message_failure("stdin: the file is empty");
 }
 
-int whole_file_read(const char *path, whole_file *file)
+int whole_file_read(const char *path, mesh_kind kind, whole_file *file)
 {
     file_about about;
     *file = (whole_file){NULL, 0};
     if (!strcmp(path, "-"))
-        return read_stdin(file);
+        return read_stdin(kind, file);
     if (!named_file_about(path, &about))
         return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
     if (about.kind != FILE_KIND_REGULAR)

@@ -12,14 +12,6 @@ typedef struct whole_file {
 } whole_file;
 
 /*
- * Reads a regular file that is not empty, or "-", standard input, to its end. Returns an exit_code; whole_file_free may follow in
- * any case.
- */
-int whole_file_read(const char *path, whole_file *file);
-
-void whole_file_free(whole_file *file);
-
-/*
  * Every format that scan.h reads, once: its name in scan_open_ply and scan_next_ply, the word that it begins with, its ending, and
  * what begins a comment. Binary STL is a matter of triangle_file.h.
  */
@@ -32,6 +24,14 @@ void whole_file_free(whole_file *file);
 /* OTHER: libassimp may know it. */
 #define MESH_KIND(kind, ...) kind,
 typedef enum mesh_kind { MESH_KINDS(MESH_KIND) MESH_OTHER } mesh_kind;
+
+/*
+ * Reads a regular file that is not empty, or "-", standard input, to its end; of the latter only the beginning where no mesh of
+ * this kind begins so. Returns an exit_code; whole_file_free may follow in any case.
+ */
+int whole_file_read(const char *path, mesh_kind kind, whole_file *file);
+
+void whole_file_free(whole_file *file);
 
 /* What is read here, for messages and help. */
 #define MESH_KIND_ENDING(kind, name, word, ending, ...) ending ", "
