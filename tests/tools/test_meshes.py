@@ -1,5 +1,6 @@
 """Mesh files: the same triangles from every format, what each spelling means, and what is no mesh or only part of one."""
 
+import gzip
 import itertools
 import json
 import os
@@ -242,6 +243,8 @@ BAD = [
     *(("empty" + ending, "", "the file is empty") for ending in (".obj", ".ply", ".off", ".stl", ".f32", "")),
     *((name, "hello\n", "not a (mesh that libassimp can read, or a damaged one|file of .ply, .off, .stl, .obj, .f32 or .f64)")
       for name in ("notes.txt", "notes.gltf", "no_ending")),
+    *(("mesh" + name, gzip.compress(PLY.encode()), "is compressed; give it as in 'zcat FILE | tribox COMMAND - --format ply'")
+      for name in (".ply.gz", ".obj.gz", ".ply", ".off")),
     ("notes.obj", "hello\n", "not an OBJ file, or an empty one: it has no line with a vertex, 'v X Y Z'"),
     ("notes.ply", "hello\n", "not a PLY file: it does not begin with 'ply'"),
     ("notes.stl", "hello\n", "truncated, or not an STL file"),

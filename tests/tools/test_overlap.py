@@ -465,6 +465,7 @@ class Streams(Overlap):
         for content in (meshes.stl_ascii(self.TRIANGLES[:3]), b"solid empty\nendsolid empty\n",
                         "solid \u00fcber\n".encode() * 9, b"hello\n"):
             cut("stl", content, pattern)
+        cut("stl", meshes.ply_of(self.TRIANGLES[:3]), "not an STL file: it begins with 'ply'; give --format ply")
         text = self.write("text.stl", "hello\n")
         self.fail_with(1, "text.stl: " + pattern, "overlap", text, "--format", "stl", "--box", UNIT_BOX)
         cut("stl", b"", "the file is empty.*")

@@ -36,6 +36,19 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
     return code;
 }
 
+/* By gzip. libassimp reads some such files, with names of their own. */
+static bool is_compressed(const char *path, mesh_kind kind, const whole_file *file)
+{
+    return file->size > 1 && !memcmp(file->bytes, "\x1f\x8b", 2) && (kind != MESH_OTHER || mesh_kind_has_ending(path, ".gz"));
+}
+
+static int refuse_compressed(const char *from)
+{
+    if (!strcmp(from, "-"))
+        return message_failure("stdin: is compressed; send it through zcat first");
+    return message_failure("%s: is compressed; give it as in 'zcat FILE | tribox COMMAND - --format ply'", from);
+}
+
 /* kind: OTHER for what the file says itself. */
 static int read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned threads, mesh *m)
 {
@@ -48,6 +61,8 @@ static int read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned 
         words_next(&first);
         kind = mesh_kind_by(path, &first);
     }
+    if (!code && is_compressed(path, kind, &file))
+        code = refuse_compressed(from);
     if (!code && kind != MESH_OTHER)
         code = scan_read(path, kind, &file, &indexed);
     whole_file_free(&file);

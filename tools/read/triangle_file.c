@@ -79,13 +79,15 @@ static int refuse_stl_size(const triangle_file *file, uint64_t due)
                            file->name, what, file->size, file->promised, due);
 }
 
-/* Text is left to scan_text.c, unless --format says that the file is binary. */
-static int leave_text(triangle_file *file, bool is_given)
+/* Text is left to the readers of text, unless --format says that the file is binary. */
+static int leave_text(triangle_file *file, bool is_ply, bool is_given)
 {
     const char *name = file->name;
     triangle_file_close(file);
     if (!is_given)
         return EXIT_CODE_OK;
+    if (is_ply)
+        return message_failure("%s: not an STL file: it begins with 'ply'; give --format ply", name);
     return message_failure("%s: is text, and only binary STL can be streamed; give it as a file named .stl, without --format",
                            name);
 }
@@ -112,7 +114,7 @@ static int open_stl(triangle_file *file, bool is_given)
     file->promised = got < sizeof header ? 0 : little_get32(header + STL_COUNT_AT);
     const uint64_t due = STL_HEADER + STL_RECORD * file->promised; /* 38 bits at most */
     if (is_text(header, got) && file->size != due)
-        return leave_text(file, is_given);
+        return leave_text(file, got >= 3 && !memcmp(header, "ply", 3), is_given);
     if (got < sizeof header)
         return message_failure(
             "%s: truncated, or not an STL file: it has %zu bytes, but the header alone of a binary one has %d; write it again",
