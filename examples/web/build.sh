@@ -8,25 +8,11 @@ if test $# -ne 1; then
 fi
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
-cc=${WASM_CC:-clang-19}
-
-# lacks PACKAGE COMMAND...: names the package unless the command succeeds.
-missing=
-lacks() {
-    package=$1
-    shift
-    "$@" >/dev/null 2>&1 || missing="$missing $package"
-}
+. "$root/packaging/npm/needs.sh"
 lacks nodejs command -v node
 lacks npm command -v npm
-lacks "$cc" command -v "$cc"
-lacks lld-19 command -v wasm-ld-19
-lacks wasi-libc test -e /usr/include/wasm32-wasi/stdio.h
-lacks libclang-rt-19-dev-wasm32 test -e /usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a
-if test -n "$missing"; then
-    echo "build.sh: packages are missing: apt-get install$missing" >&2
-    exit 1
-fi
+lacks_compiler
+check_missing
 
 mkdir -p "$(dirname "$1")"
 out=$(realpath "$1")

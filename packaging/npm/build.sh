@@ -8,6 +8,9 @@ if test $# -eq 0; then
     exit 2
 fi
 root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/packaging/npm/needs.sh"
+lacks_compiler
+check_missing
 cc="${WASM_CC:-clang-19} --target=wasm32-wasi"
 command -v ccache >/dev/null && cc="ccache $cc"
 folder=$1 from=$PWD

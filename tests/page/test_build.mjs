@@ -28,16 +28,17 @@ export async function withoutNetwork() {
 /** In a line: with none of the programs, and with some. */
 export function withoutPackages() {
     const PATH = mkdtempSync(join(folder, 'path-'));
-    const lineOf = () => {
-        const page = join(PATH, 'page.html'), script = join(root, 'examples/web/build.sh'),
-            { status, stderr } = spawnSync('/bin/sh', [script, page], { encoding: 'utf8', env: { PATH } });
+    const assertLacks = (script, ...packages) => {
+        const words = [join(root, script), join(PATH, 'made')];
+        const { status, stderr } = spawnSync('/bin/sh', words, { encoding: 'utf8', env: { PATH } });
+        assert.equal(stderr, `build.sh: packages are missing: apt-get install ${packages.join(' ')}\n`);
         assert.equal(status, 1);
-        return stderr;
     };
     const placeOf = (name) => execFileSync('sh', ['-c', `command -v ${name}`], { encoding: 'utf8' }).trim();
     const link = (name) => symlinkSync(placeOf(name), join(PATH, name));
     link('dirname');
-    assert.equal(lineOf(), 'build.sh: packages are missing: apt-get install nodejs npm clang-19 lld-19\n');
+    assertLacks('examples/web/build.sh', 'nodejs', 'npm', 'clang-19', 'lld-19');
+    assertLacks('packaging/npm/build.sh', 'clang-19', 'lld-19');
     for (const name of ['node', 'npm', 'wasm-ld-19']) link(name);
-    assert.equal(lineOf(), 'build.sh: packages are missing: apt-get install clang-19\n');
+    for (const script of ['examples/web/build.sh', 'packaging/npm/build.sh']) assertLacks(script, 'clang-19');
 }
