@@ -110,7 +110,7 @@ const wrong = {
         [() => soup.voxelize(64), TypeError, /^grid = 64: give/],
         [() => soup.voxelize({ resolution: 0 }), RangeError, /^grid\.resolution = 0: give a whole number from 1 to/],
         [() => soup.voxelize({ resolution: '64' }), TypeError, /^grid\.resolution = "64": give a whole number/],
-        [() => soup.voxelize({ resolution: 4, cell: 2 }), TypeError, /^grid\.cell does not go with resolution: give \{resolution\}, /],
+        [() => soup.voxelize({ resolution: 4, cell: 2 }), TypeError, /^grid\.cell does not go with resolution: give \{re/],
         [() => soup.voxelize({ resolution: 4, sell: 2 }), TypeError, /^grid\.sell does not go with resolution: give/],
         [() => soup.cellLists({ cell: 2, orign: [0, 0, 0] }), TypeError, /^grid\.orign does not go with cell: give/],
         [() => tribox.gridAround(box, { cell: 2, resolution: 4 }), TypeError, /^grid\.cell does not go with resolution: give/],

@@ -117,7 +117,8 @@ export async function takesNumbers() {
     const turned = '1,1,0,1,-0.5,0.25,0.8,0.6,0,-0.6,0.8,0,0,0,1';
     for (const [text, why] of [
         ['1,1,1,0,0,0', 'lower exceeds upper on x'], ['0,0,0,1,1,-1', 'lower exceeds upper on z'],
-        [turned, 'half length less than 0 on y'], ['1,2,3', 'six numbers are wanted, the lower corner and then the upper: 0,0,0,1,1,1'],
+        [turned, 'half length less than 0 on y'],
+        ['1,2,3', 'six numbers are wanted, the lower corner and then the upper: 0,0,0,1,1,1'],
     ]) {
         await page.fill('#numbers', text);
         await page.press('#numbers', 'Enter');
