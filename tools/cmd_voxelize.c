@@ -155,9 +155,9 @@ static int check_input(const voxelize_request *r, const options_found *found)
     while (folders < r->count && partition_is_folder(r->paths[folders]))
         folders++;
     if (r->count > 1 && folders < r->count)
-        return message_usage(folders ? "'%s' is no partition: several are taken as one mesh, or one mesh at a time"
-                                     : "one mesh at a time: '%s' is one file too many",
-                             r->paths[folders ? folders : 1]);
+        return folders
+                   ? message_usage("'%s' is no partition: several are taken as one mesh, or one mesh at a time", r->paths[folders])
+                   : options_refuse_file(r->paths[1]);
     return folders ? check_partition(r, found) : grid_check(&r->from, found, OPTION_GRID);
 }
 

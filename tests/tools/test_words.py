@@ -61,6 +61,8 @@ WRONG = {
         ("no mesh file given", "-r", "8", "-o", "x.npy"), ("no grid given; give --resolution or --cell", *A, "-o", "x.npy"),
         ("no output given; give -o FILE, or --count", *A, "-r", "8"),
         ("one mesh at a time.*'b.ply' is one file too many", "-r", "8", *A, "-o", "x.npz", "b.ply"),
+        ("one mesh at a time: '0.1' is one file too many; the numbers of an option have commas, or blanks in quotes, between them",
+         *A, "-o", "x.npz", "-c", "0.1", "0.1", "0.1"),
         *(("--up and --picture-size need --preview", *V, *look) for look in (("--up", "y"), ("--picture-size", "64x48"))),
         *(("option %s needs a value" % option, *A, option)
           for option in ("--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--threads", "--shard", "--up")),
@@ -171,7 +173,8 @@ WRONG = {
 NUMBERS = {  # options of numbers: what is wrong with which
     "--box": [
         ("number 1 of 6 is missing", ""), ("3 numbers where 6 are needed; give LX,LY,LZ,HX,HY,HZ", "1,2,3"),
-        ("1 number where 6", "1"), ("more than 6 numbers", "1,2,3,4,5,6,7"), ("number 3 of 6 is missing", "1,2,,4,5,6"),
+        ("1 number where 6 are needed; give LX,LY,LZ,HX,HY,HZ, with commas, or blanks in quotes", "1"),
+        ("more than 6 numbers", "1,2,3,4,5,6,7"), ("number 3 of 6 is missing", "1,2,,4,5,6"),
         ("more than 6 numbers", "1,2,3,4,5,6,"),
         ("number 1 of 6 is missing", ",1,2,3,4,5,6"), (r"'x' \(number 3 of 6\) is not a number; write it like", "1,2,x,4,5,6"),
         (r"'3m' \(number 3 of 6\) is not a number", "1,2,3m,4,5,6"), (r"'1e' \(number 3 of 6\) is not a number", "1,2,1e,4,5,6"),
@@ -247,7 +250,7 @@ class Wrong(harness.TestCase):
             for pattern, value in rows:
                 self.fail_with(2, "^tribox overlap: %s: %s" % (option, pattern), "overlap", "a.obj", option + "=" + value)
         self.fail_with(2, "^tribox sweep: --box: number 1 of 6 is missing", "sweep", "a.obj", "--box", "")
-        self.fail_with(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give SX,SY,SZ$",
+        self.fail_with(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give one number, or three: SX,SY,SZ, with commas, or blanks in quotes$",
                        "voxelize", "a.obj", "--cell", "1,2")
         self.fail_with(2, r"^tribox voxelize: --origin: 'a' \(number 2 of 3\) is not a number", "voxelize", "--origin", "1,a,3")
 

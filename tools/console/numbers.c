@@ -61,7 +61,9 @@ bool numbers_read(const char *text, const char *where, const char *form, int cou
         text += is_due;
     }
     if (found < count) {
-        message_say("%s: %d number%s where %d are needed; give %s", where, found, found == 1 ? "" : "s", count, form);
+        const bool is_option = !strncmp(where, "--", 2);
+        message_say("%s: %d number%s where %d are needed; give %s%s", where, found, found == 1 ? "" : "s", count, form,
+                    is_option ? ", with commas, or blanks in quotes" : "");
         return false;
     }
     if (decimals)

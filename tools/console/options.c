@@ -21,10 +21,17 @@ int options_answer(const options_command *of, int count, char **words, void *req
     return code ? code : found.wants_help ? output_text(of->help) : of->answer(request, &found);
 }
 
+int options_refuse_file(const char *operand)
+{
+    const bool is_number = !operand[strspn(operand, "+-.,0123456789")];
+    return message_usage("one mesh at a time: '%s' is one file too many%s", operand,
+                         is_number ? "; the numbers of an option have commas, or blanks in quotes, between them" : "");
+}
+
 int options_take_mesh(const char *operand, const char **mesh_path)
 {
     if (*mesh_path)
-        return message_usage("one mesh at a time: '%s' is one file too many", operand);
+        return options_refuse_file(operand);
     *mesh_path = operand;
     return EXIT_CODE_OK;
 }

@@ -25,6 +25,9 @@ typedef struct options_command {
 /* Reads everything after words[0] into the request, and answers it, or prints the help. Returns an exit_code. */
 int options_answer(const options_command *of, int count, char **words, void *request);
 
+/* Of a second mesh where a command has one. Returns EXIT_CODE_USAGE. */
+int options_refuse_file(const char *operand);
+
 /* Takes the operand of a command that has one mesh. Returns an exit_code. */
 int options_take_mesh(const char *operand, const char **mesh_path);
 

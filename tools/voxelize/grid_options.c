@@ -15,7 +15,7 @@
 static int read_cell(const char *text, double cell[3])
 {
     const bool is_one = !strpbrk(text, NUMBERS_BLANKS ",");
-    if (!numbers_read(text, "--cell", is_one ? "S" : "SX,SY,SZ", is_one ? 1 : 3, cell, NULL))
+    if (!numbers_read(text, "--cell", "one number, or three: SX,SY,SZ", is_one ? 1 : 3, cell, NULL))
         return EXIT_CODE_USAGE;
     if (is_one)
         cell[1] = cell[2] = cell[0];
