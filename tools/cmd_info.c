@@ -99,7 +99,7 @@ static int print_mesh(const request *r, const mesh *m, const mesh_colours *colou
     const char *const type = m->is_double ? "float64" : "float32", *const of = colours->of ? colours->from : NULL;
     const tribox_box *const b = &m->bounds;
     const bool has_bounds = m->not_finite < m->triangles;
-    if (r->is_quiet && r->out_path)
+    if (r->is_quiet && r->out_path && !r->wants_json)
         return EXIT_CODE_OK;
     if (!r->wants_json) {
         printf("mesh         %s\ntriangles    %zu\npositions    %s\ncolours      %s%s\n", r->mesh_path, m->triangles, type,

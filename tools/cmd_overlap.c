@@ -137,7 +137,7 @@ static int check_crop(request *r)
 {
     const bool is_part = is_stdout(r->crop_paths[CROP_PART]), is_rest = is_stdout(r->crop_paths[CROP_REST]);
     const bool is_free = !is_part && !is_rest, is_crop = r->crop_paths[CROP_PART] || r->crop_paths[CROP_REST];
-    r->has_report = is_free && !(is_crop && r->is_quiet);
+    r->has_report = is_free && (r->wants_json || !(is_crop && r->is_quiet));
     if (!is_crop)
         return EXIT_CODE_OK;
     if (r->boxes_path)
@@ -145,8 +145,7 @@ static int check_crop(request *r)
     if (!strcmp(r->mesh_path, "-"))
         return message_usage("-o and --rest need the mesh as a file, since it is read twice");
     if (is_free)
-        return r->is_quiet && r->wants_json ? message_usage("--json and --quiet exclude each other with -o and --rest")
-                                            : EXIT_CODE_OK;
+        return EXIT_CODE_OK;
     const char *const option = is_part ? "-o" : "--rest";
     if (is_part && is_rest)
         return message_usage("-o and --rest cannot both go to standard output; give one of them a name");

@@ -60,11 +60,9 @@ static void print_json(const partition_answer *a)
 
 static int report(const partition_answer *a)
 {
-    if (a->r->is_quiet)
-        return EXIT_CODE_OK;
     if (a->r->wants_json)
         print_json(a);
-    else
+    else if (!a->r->is_quiet)
         print_summary(a);
     return output_flush();
 }
@@ -167,8 +165,6 @@ static int answer(void *request, const options_found *found)
         return message_usage("no output given; give -o FOLDER");
     if (file_out_is_stdout(r->out_path) || !r->out_path[0])
         return message_usage("-o: '%s' is not the name of a folder", r->out_path);
-    if (r->wants_json && r->is_quiet)
-        return message_usage("--json and --quiet exclude each other");
     return partition_work(r);
 }
 

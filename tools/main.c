@@ -51,6 +51,8 @@ static int run_command(int count, char **words)
             message_set_command(words[0]);
             return commands[i].run(count, words);
         }
+    if (!strcmp(words[0], "-V") || !strcmp(words[0], "version"))
+        return message_usage("'%s' is written --version", words[0]);
     if (words[0][0] == '-')
         return message_usage("unknown option '%s'", words[0]);
     char text[GUESS_TEXT];

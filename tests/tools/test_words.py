@@ -54,7 +54,6 @@ WRONG = {
         ("-o and --rest need the mesh as a file", "-", "--box", UNIT_BOX, "--format", "stl", "-o", "x.stl"),
         ("-o and --rest cannot both go to standard output", *B, "-o", "-", "--rest", "-"),
         ("--json and -o - exclude each other", *B, "--json", "-o", "-"),
-        ("--json and --quiet exclude each other with -o and --rest", *B, "-jq", "-o", "x.obj"),
         ("--list and --rest - exclude each other", *B, "--list", "--rest", "-"),
     ],
     "voxelize": [
@@ -67,7 +66,6 @@ WRONG = {
         *(("option %s needs a value" % option, *A, option)
           for option in ("--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--threads", "--shard", "--up")),
         ("--resolution and --cell exclude each other", *V, "--cell", "1"),
-        ("--json and --quiet exclude each other", *V, "--json", "--quiet"),
         ("a shard is written as .npz, not as npy", *CELL, "-o", "x.npy", "--shard", "1/2"),
         ("a shard is written as .npz, not as raw", *CELL, "-o", "-", "--out-format", "raw", "--shard", "1/2"),
         ("--preview needs all cells: give it to 'tribox merge'", *V, "--shard", "1/2", "--preview", "x.png"),
@@ -111,7 +109,7 @@ WRONG = {
         *(("--thin is exact and of all axes", *V, "--thin", *way) for way in (("--accuracy", "fast"), ("--axes", "box"))),
         *(("--fill middles has no cells of the surface: leave out " + option, *V, "--fill", "middles", option)
           for option in ("--thin", "--labels", "--inside-only")),
-        *(("--memory: '%s' is no size" % size, *V, "--memory", size) for size in ("", "0", "1GB")),
+        *(("--memory: '%s' is no size" % size, *V, "--memory", size) for size in ("", "0", "1GBB", "1B")),
         *(("--memory sorts a larger mesh by tiles", *V, "-m", "1G", *words)
           for words in (("--thin",), ("--accuracy", "fast"), ("--axes", "box"), ("--fill", "parity"), ("--fill", "middles"))),
         (TILES + ", which is sorted: leave out --memory", ".", "-m", "1G", "-o", "x.npz"),
@@ -141,15 +139,13 @@ WRONG = {
     "merge": [
         ("no parts given", "-o", "x.npy"), ("no output given", "a.npz"),
         ("-o: 'x.part' does not end in .npz", "a.npz", "-o", "x.part"),
-        ("--up and --picture-size need --preview", "a.npz", "-o", "x.npy", "--up", "x"),
-        ("--json and --quiet exclude each other", "a.npz", "-o", "x.npy", "--json", "--quiet")],
+        ("--up and --picture-size need --preview", "a.npz", "-o", "x.npy", "--up", "x")],
     "partition": [
         ("no mesh file given", "-r", "9", "-o", "x"), ("no grid given", *A, "-o", "x"),
         ("no output given; give -o FOLDER", *A, "-r", "9"),
         ("-o: '-' is not the name of a folder", *A, "-r", "9", "-o", "-"),
-        ("--json and --quiet exclude each other", *A, "-r", "9", "-o", "x", "--json", "-q"),
         *(("--memory: '%s' is no size" % size, *A, "-r", "9", "-o", "x", "--memory", size)
-          for size in ("", "0", "-1", "1g", "1.5G", "G", "99999999999T", "1GB", "1 G")),
+          for size in ("", "0", "-1", "1Gb", "1.5G", "G", "99999999999T", "1KM", "1 G")),
         (".*which has its grid: leave out --cell", ".", ".", "-o", "x", "--cell", "1")],
     "info": [("option --json is given twice", "--json", "--json"), ("option -j is given twice", "--js", "-j"),
              ("option -j is given twice", "-jj"),
@@ -236,6 +232,7 @@ class Wrong(harness.TestCase):
                                 ("unknown option '--quick';", "--quick", "demo"),
                                 (r"'voxelise' is not a command \(did you mean 'voxelize'\?\);", "voxelise"),
                                 (r"'part' is not a command \(did you mean 'partition'\?\);", "part"),
+                                *(("'%s' is written --version; " % word, word) for word in ("-V", "version")),
                                 ("'overlay' is not a command", "help", "overlay")):
             self.fail_with(2, "^tribox: " + pattern, *words)
 
@@ -293,6 +290,15 @@ class Right(harness.TestCase):
         self.assertEqual(self.succeed("info", self.mesh, "-q", "-o", self.path("x.npz")), "")
         self.assertTrue(self.succeed("sweep", self.mesh, "--quick", "--quiet", "--box", UNIT_BOX))
         self.assertTrue(self.succeed("demo", "--quick", "-q"))
+        out = self.path("cells.npz")
+        for words in (("overlap", self.mesh, "-b", UNIT_BOX, "-o", self.path("y.obj")), ("voxelize", self.mesh, "-r", "8", "-o", out),
+                      ("merge", out, "-o", self.path("x.npy")), ("info", self.mesh, "-o", self.path("y.npz")),
+                      ("partition", self.mesh, "-r", "8", "-o", self.path("folder"))):
+            self.assertTrue(json.loads(self.succeed(*words, "-qj")), words)
+
+    def test_sizes_of_memory(self):
+        for n, size in enumerate(("1G", "1g", "1GB", "1gB", "9999k", "99999999")):
+            self.succeed("partition", self.mesh, "-r", "8", "-qm", size, "-o", self.path(str(n)))
 
     def test_empty_boxes(self):
         text = self.succeed("overlap", self.mesh, "--box", "0,2,0,1,1,1", "--json",

@@ -7,7 +7,7 @@
 
 bool memory_read(const char *text, uint64_t *bytes)
 {
-    static const char units[] = "KMGT";
+    static const char units[] = "KkMmGgTt";
     enum { DIGITS_MOST = 18, BITS_A_UNIT = 10 };
     const size_t digits = strspn(text, "0123456789");
     uint64_t number = 0;
@@ -16,9 +16,11 @@ bool memory_read(const char *text, uint64_t *bytes)
     for (size_t i = 0; i < digits; i++)
         number = 10 * number + (uint64_t)(text[i] - '0');
     const char *const unit = text[digits] ? strchr(units, text[digits]) : NULL;
-    const int bits = unit ? BITS_A_UNIT * (int)(unit - units + 1) : 0;
+    const int bits = unit ? BITS_A_UNIT * (int)((unit - units) / 2 + 1) : 0;
     *bytes = number << bits;
-    return number && *bytes >> bits == number && (unit ? !text[digits + 1] : !text[digits]);
+    const char *end = text + digits + (unit != NULL);
+    end += unit && *end == 'B';
+    return number && *bytes >> bits == number && !*end;
 }
 
 const char *memory_text(uint64_t bytes, char text[16])

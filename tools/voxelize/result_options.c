@@ -95,12 +95,10 @@ int result_check(result_request *r, const options_found *found, const char *what
     const bool has_look = options_has(found, RESULT_UP) || options_has(found, RESULT_PICTURE_SIZE);
     if (has_look && !r->preview_path)
         return message_usage("--up and --picture-size need --preview");
-    if (r->wants_json && r->is_quiet)
-        return message_usage("--json and --quiet exclude each other");
     const bool is_stdout = file_out_is_stdout(r->out_path);
     if (is_stdout && check_stdout(r))
         return EXIT_CODE_USAGE;
-    r->has_summary = !is_stdout && !r->is_quiet;
+    r->has_summary = !is_stdout && (r->wants_json || !r->is_quiet);
     if (!r->format)
         r->format = volume_format_of(r->out_path);
     if (!r->format || check_format(r, found))
