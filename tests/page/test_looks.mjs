@@ -176,7 +176,7 @@ export async function commandsBreakAtWords() {
         const code = document.getElementById('command'), seen = [];
         for (let width = 60; width < 360; width += 7) {
             code.parentElement.style.width = `${width}px`;
-            for (const span of code.querySelectorAll('span')) seen.push([span.textContent, span.clientHeight, width]);
+            for (const span of code.querySelectorAll('span')) seen.push([span.textContent, span.offsetHeight, width]);
         }
         code.parentElement.style.width = '';
         return seen;
