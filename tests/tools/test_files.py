@@ -103,8 +103,8 @@ class Places(Files):
         self.fail_with(1, "stdin: out of memory after [0-9]+ bytes; save it as binary .stl, .f32 or .f64, which 'tribox voxelize' "
                        "and 'tribox partition' sort on the disk", *words, "obj", stdin=meshes.obj(LATTICE) * 50000, limit=limit)
         for form in ("ply", "off"):  # nothing more is read
-            self.fail_with(1, "stdin: not an? .* file: it does not begin with '(?i:%s)'" % form, *words, form, stdin=bytes(72 << 20),
-                           limit=limit)
+            self.fail_with(1, "stdin: not an? .* file: it does not begin with '(?i:%s)'" % form, *words, form,
+                           stdin=bytes(72 << 20), limit=limit)
 
     def test_nobody_takes_it(self):
         """A reader that has gone, a full disk, a terminal."""

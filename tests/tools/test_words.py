@@ -247,8 +247,8 @@ class Wrong(harness.TestCase):
             for pattern, value in rows:
                 self.fail_with(2, "^tribox overlap: %s: %s" % (option, pattern), "overlap", "a.obj", option + "=" + value)
         self.fail_with(2, "^tribox sweep: --box: number 1 of 6 is missing", "sweep", "a.obj", "--box", "")
-        self.fail_with(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give one number, or three: SX,SY,SZ, with commas, or blanks in quotes$",
-                       "voxelize", "a.obj", "--cell", "1,2")
+        self.fail_with(2, "^tribox voxelize: --cell: 2 numbers where 3 are needed; give one number, or three: SX,SY,SZ, with "
+                          "commas, or blanks in quotes$", "voxelize", "a.obj", "--cell", "1,2")
         self.fail_with(2, r"^tribox voxelize: --origin: 'a' \(number 2 of 3\) is not a number", "voxelize", "--origin", "1,a,3")
 
     def test_kernel_of_another_processor(self):
@@ -291,8 +291,9 @@ class Right(harness.TestCase):
         self.assertTrue(self.succeed("sweep", self.mesh, "--quick", "--quiet", "--box", UNIT_BOX))
         self.assertTrue(self.succeed("demo", "--quick", "-q"))
         out = self.path("cells.npz")
-        for words in (("overlap", self.mesh, "-b", UNIT_BOX, "-o", self.path("y.obj")), ("voxelize", self.mesh, "-r", "8", "-o", out),
-                      ("merge", out, "-o", self.path("x.npy")), ("info", self.mesh, "-o", self.path("y.npz")),
+        for words in (("overlap", self.mesh, "-b", UNIT_BOX, "-o", self.path("y.obj")),
+                      ("voxelize", self.mesh, "-r", "8", "-o", out), ("merge", out, "-o", self.path("x.npy")),
+                      ("info", self.mesh, "-o", self.path("y.npz")),
                       ("partition", self.mesh, "-r", "8", "-o", self.path("folder"))):
             self.assertTrue(json.loads(self.succeed(*words, "-qj")), words)
 
