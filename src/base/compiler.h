@@ -58,6 +58,13 @@ _Static_assert(sizeof 1.0 == sizeof(double), "tribox cannot be compiled with -fs
 #define TRIBOX_NOINLINE static
 #endif
 
+/* What compilers lay out as the rarer way. */
+#if defined(__GNUC__) || defined(__clang__)
+#define TRIBOX_UNLIKELY(condition) __builtin_expect(condition, 0)
+#else
+#define TRIBOX_UNLIKELY(condition) (condition)
+#endif
+
 /* Addresses that are read or written soon: they may come into the cache. */
 #if defined(__GNUC__) || defined(__clang__)
 #define TRIBOX_AHEAD(at, is_write) __builtin_prefetch(at, is_write)

@@ -410,7 +410,9 @@ TRIBOX_INLINE uint64_t left_by_group_alone(const lane_pairs *p, lane_shape *s, w
         if (!left) \
             return 0; \
         left = load(p, from, at, 2, kind, left, &s); \
-        return left ? decide(p, &s, kind, left, undecided) : 0; \
+        if (!left) \
+            return 0; \
+        return decide(p, &s, kind, left, undecided); \
     }
 PACKET(soup_joint_BY_MARGIN, load_axis_of_soup, overlaps_by_joint_margin)
 PACKET(soup_joint_BY_SIGN, load_axis_of_soup, overlaps_by_joint_signs)
@@ -418,7 +420,10 @@ PACKET(soup_apart_BY_MARGIN, load_axis_of_soup, overlaps_by_margin)
 PACKET(soup_apart_BY_SIGN, load_axis_of_soup, overlaps_by_sign)
 PACKET(soup_alone, load_axis_of_soup, left_by_group_alone)
 
-/* A packet of a soup that a group alone does not reject, from the start: one copy of it, so that walks of such orders are short. */
+/*
+ * A packet of a soup that a group alone does not reject, from the start: one copy of it, so that walks of such orders are short.
+ * Compilers are told that it is called: else they keep numbers in registers, which each call saves.
+ */
 #define PACKET_ALONE(by) \
     TRIBOX_NOINLINE uint64_t whole_packet_##by(const tribox_query *from, size_t at, uint64_t *undecided) \
     { \
@@ -429,7 +434,9 @@ PACKET(soup_alone, load_axis_of_soup, left_by_group_alone)
     TRIBOX_INLINE uint64_t packet_soup_alone_##by(lane_pairs *p, const tribox_query *from, size_t at, walk_kind kind, \
                                                   uint64_t *undecided) \
     { \
-        return packet_soup_alone(p, from, at, kind, undecided) ? whole_packet_##by(from, at, undecided) : 0; \
+        if (TRIBOX_UNLIKELY(!packet_soup_alone(p, from, at, kind, undecided))) \
+            return 0; \
+        return whole_packet_##by(from, at, undecided); \
     }
 PACKET_ALONE(BY_MARGIN)
 PACKET_ALONE(BY_SIGN)
