@@ -363,7 +363,9 @@ def judge_all(folder, mutants, jobs):
         sites = list(pool.map(lambda k: Site(os.path.join(folder, str(k)), max(1, jobs // count), kernels), range(count)))
         for is_last in (False, True) if own else (True,):
             asked = left if own and is_last else [mutant for mutant in mutants if mutant not in left]
-            if own and is_last and left:
+            if not asked:  # all were caught; the build still has the last of them
+                continue
+            if own and is_last:
                 list(pool.map(lambda site: site.make(["meson", "configure", "-Dkernels=", site.build]), sites))
             for mutant, verdict, detail in judge_round(sites, pool, asked, is_last):
                 if verdict in (SURVIVED, SKIPPED_HERE) and not is_last:
