@@ -9,7 +9,8 @@ import statistics
 import subprocess
 
 QUESTIONS = (("ratios --rounds 7", False), ("sweep --quick", False), ("voxels --quick", False), ("index --quick", False),
-             ("ratios --rounds 7", True), ("index --quick", True))
+             ("ratios --rounds 7", True), ("sweep --quick --no-scenes", True), ("voxels --quick --no-scenes", True),
+             ("index --quick", True))
 
 
 def ask(words):
