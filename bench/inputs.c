@@ -147,7 +147,7 @@ static bool make_forms(const recipe *from, uint64_t seed, bool has_doubles, form
     size_t index;
     generator g = {seed + 1};
     *f = (forms){.streams = NULL};
-    if (!scene_find(from->scene, &index) || !scene_make(index, seed, &f->at))
+    if (!scene_find(from->scene, &index) || !scene_make(index, seed, false, &f->at))
         return false;
     make_floats(from, &g, f);
     if (has_doubles)
@@ -552,7 +552,7 @@ static bool answer_cgal(asked *q)
         size_t index;
         if (only && strcmp(only, scenes[k]) != 0)
             continue;
-        if (!scene_find(scenes[k], &index) || !scene_make(index, q->seed, &at))
+        if (!scene_find(scenes[k], &index) || !scene_make(index, q->seed, false, &at))
             return false;
         void *const mark = asked_mark();
         timing_work_shorten(&at.work, PEER_TRIANGLES);

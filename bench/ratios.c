@@ -96,13 +96,18 @@ static bool ask_about(asked *q, const scene *at)
     contestant list[CONTESTANTS_MAX];
     const truth from = truth_of_work(&at->work);
     const tribox_box *const box = &at->work.jobs[0].box;
+    char boxes[64];
     const size_t count = keep_named(list, entries_make(&at->work, list), q->text[OPTION_FILTER]);
     if (count == 1)
         return message_failure("no contestant here has '%s' in its name", q->text[OPTION_FILTER]) == EXIT_CODE_OK;
     if (!asked_measure(q, at->name, list, count, &from, asked_effort(q, 31, 8, 2e-3), at->work.words))
         return false;
-    printout_table(&q->out, "scene %s: %zu triangles (%.3g MB), %s; box [%.8g, %.8g]^3; %zu rounds", at->name, at->work.pairs,
-                   36e-6 * (double)at->work.pairs, at->what, box->lo[0], box->hi[0], q->taken.rounds);
+    if (at->work.count > 1)
+        snprintf(boxes, sizeof boxes, "%zu boxes of one to three steps", at->work.count);
+    else
+        snprintf(boxes, sizeof boxes, "box [%.8g, %.8g]^3", box->lo[0], box->hi[0]);
+    printout_table(&q->out, "scene %s: %zu triangles (%.3g MB), %s; %s; %zu rounds", at->name, at->work.pairs,
+                   36e-6 * (double)at->work.pairs, at->what, boxes, q->taken.rounds);
     for (size_t c = 0; c < count; c++)
         tell_row(q, at, list, c);
     printout_disturbed(&q->out, &q->taken);
@@ -166,7 +171,7 @@ static bool answer(asked *q)
         scene at;
         if (only ? i != one : !scene_is_usual(i))
             continue;
-        is_right = scene_make(i, q->seed, &at) && ask_about(q, &at);
+        is_right = scene_make(i, q->seed, true, &at) && ask_about(q, &at);
         scene_free(&at);
     }
     return is_right;

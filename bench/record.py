@@ -33,8 +33,6 @@ def cell(name, values):
 
 def merged(tables):
     """The lines of one table, which each process made."""
-    if "rows" not in tables[0]:
-        return
     yield "\n" + tables[0].get("title", "")
     names = [name for name in tables[0]["rows"][0] if not name.endswith("_quartile") and name not in ("rounds", "from", "to")]
     rows = [[cell(name, [row.get(name) for row in same]) for name in names] for same in zip(*(table["rows"] for table in tables))]
@@ -54,6 +52,8 @@ def main():
              for words, meshes in QUESTIONS if arguments.meshes or not meshes]
     # In turns, so that what disturbs for some minutes disturbs a few processes of each question.
     answers = list(zip(*([ask(words) for words in asked] for _ in range(arguments.processes))))
+    with open(arguments.out + ".json", "w", encoding="utf-8") as file:
+        json.dump(answers, file)
     with open(arguments.out, "w", encoding="utf-8") as file:
         first = answers[0][0]
         for name in ("processor", "compiler", "flags", "commit", "limits"):
@@ -61,7 +61,8 @@ def main():
         print(f"processes: {arguments.processes} a table; median (least to most) of them", file=file)
         for words, runs in zip(asked, answers):
             print(f"\n== {' '.join(words[1:])}", file=file)
-            for tables in zip(*(run["tables"] for run in runs)):
+            # A table without rows says how many were disturbed, and is not in every process.
+            for tables in zip(*([table for table in run["tables"] if "rows" in table] for run in runs)):
                 print("\n".join(merged(tables)), file=file)
 
 

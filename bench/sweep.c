@@ -123,7 +123,7 @@ static bool ask_about(asked *q, const char *name, const char *what, const timing
 static bool ask_scene(asked *q, size_t index)
 {
     scene at;
-    if (!scene_make(index, q->seed, &at))
+    if (!scene_make(index, q->seed, true, &at))
         return false;
     timing_work_shorten(&at.work, (size_t)asked_number(q, OPTION_SIZE, asked_has(q, OPTION_QUICK) ? 65536 : SIZE_MAX));
     const bool is_right = ask_about(q, at.name, at.what, &at.work);

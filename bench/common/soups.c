@@ -28,6 +28,7 @@ static const struct recipe {
     size_t count;
     draw_triangle *draw; /* NULL: a surface, and a mesh of it */
     enum keep keep;
+    int grid; /* its vertices lie on multiples of 1 / grid that floats round: many boxes do, too */
 } recipes[] = {
     {"paper", "vertices uniform in [-2, 2]^3", -0.5f, 0.5f, 100000, draw_paper, ALL},
     {"cache", "the same, few enough for the first-level cache", -0.5f, 0.5f, 800, draw_paper, ALL},
@@ -43,9 +44,10 @@ static const struct recipe {
     {"inside", "vertices uniform in the box", -0.5f, 0.5f, 100000, draw_inside, ALL},
     {"edge-miss", "those of paper that only an edge axis separates", -0.5f, 0.5f, 100000, draw_paper, EDGE_MISSES},
     {"lattice", "vertices on multiples of 1/4 in [-2, 2]^3: contact is common", -0.5f, 0.5f, 100000, draw_lattice, ALL},
-    {"tenths", "vertices on multiples of 1/10 in [0, 2.5]^3: contact, of rounded numbers", 0.8f, 1.7f, 100000, draw_tenths, ALL},
+    {"tenths", "vertices on multiples of 1/10 in [0, 2.5]^3: contact, of rounded numbers", 0.8f, 1.7f, 100000, draw_tenths, ALL,
+     10},
     {"cad", "faces of blocks and prisms on a grid of 1/4, against a cell of it", 0.75f, 1.25f, 100000, draw_cad, ALL},
-    {"cad-tenths", "the same on a grid of 1/10, of rounded numbers", 0.3f, 0.5f, 100000, draw_cad_tenths, ALL},
+    {"cad-tenths", "the same on a grid of 1/10, of rounded numbers", 0.3f, 0.5f, 100000, draw_cad_tenths, ALL, 10},
     {"touching", "triangles that touch the box, on multiples of 1/8", -0.5f, 0.5f, 100000, draw_touching, ALL},
     {"touching-ulp", "the same, three coordinates moved by a float or not", -0.5f, 0.5f, 100000, draw_touching_ulp, ALL},
     {"offset", "the scene paper a million units away", 999999.5f, 1000000.5f, 100000, draw_offset, ALL},
@@ -171,20 +173,36 @@ bool scene_find(const char *name, size_t *index)
     return false;
 }
 
-bool scene_make(size_t index, uint64_t seed, scene *made)
+/* A box of one to three steps of the grid. */
+static tribox_box draw_box(generator *g, int grid)
+{
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        const size_t from = random_below(g, 10);
+        box.lo[a] = (double)((float)from / (float)grid);
+        box.hi[a] = (double)((float)(from + 1 + random_below(g, 3)) / (float)grid);
+    }
+    return box;
+}
+
+bool scene_make(size_t index, uint64_t seed, bool has_boxes, scene *made)
 {
     const struct recipe *const recipe = &recipes[index];
+    const bool is_many = has_boxes && recipe->grid;
+    const size_t boxes = is_many ? SCENE_BOXES : 1, each = recipe->count / boxes;
+    generator g = {seed};
     *made = (scene){.name = recipe->name, .what = recipe->what};
-    if (!timing_work_make(&made->work, 1, timing_work_room(recipe->count)) ||
-        !draw_all(recipe, &(generator){seed}, made->work.triangles)) {
+    if (!timing_work_make(&made->work, boxes, boxes * timing_work_room(each)) || !draw_all(recipe, &g, made->work.triangles)) {
         fprintf(stderr, "bench: cannot make scene %s of %zu triangles: out of memory, or tribox_overlap failed\n", recipe->name,
                 recipe->count);
         scene_free(made);
         return false;
     }
-    const timing_job job = timing_work_soup(&made->work, recipe->count);
-    const tribox_box box = box_of(recipe);
-    timing_work_add(&made->work, &job, &box);
+    for (size_t b = 0; b < boxes; b++) {
+        const timing_job job = timing_work_soup(&made->work, each);
+        const tribox_box box = is_many ? draw_box(&g, recipe->grid) : box_of(recipe);
+        timing_work_add(&made->work, &job, &box);
+    }
     if (recipe->draw || timing_work_mesh(&made->work))
         return true;
     fprintf(stderr, "bench: out of memory for the mesh of %s\n", recipe->name);

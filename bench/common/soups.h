@@ -7,7 +7,8 @@
 typedef struct scene {
     const char *name;
     const char *what; /* in a few words, for reports */
-    timing_work work; /* one job; of a mesh one for each cell */
+    timing_work
+        work; /* one job; of a mesh one for each cell, of rounded ties one for each of SCENE_BOXES boxes, if they are asked for */
 } scene;
 
 size_t scene_count(void);
@@ -18,8 +19,11 @@ bool scene_is_usual(size_t index);
 /* Finds a scene by its name. False, with a list of the scenes on stderr, if there is none of that name. */
 bool scene_find(const char *name, size_t *index);
 
-/* Makes a scene; false, with a message on stderr, if memory or the library fails. */
-bool scene_make(size_t index, uint64_t seed, scene *made);
+/* How often rounding loses a tie depends on the box: one box says little of others. Each has whole lines of triangles. */
+enum { SCENE_BOXES = 125 };
+
+/* Makes a scene; has_boxes: of rounded ties with many boxes. False, with a message on stderr, if memory or the library fails. */
+bool scene_make(size_t index, uint64_t seed, bool has_boxes, scene *made);
 
 void scene_free(scene *made);
 
