@@ -13,6 +13,9 @@ QUESTIONS = (("ratios --rounds 7", False), ("sweep --quick", False), ("voxels --
              ("index --quick", True))
 
 
+DROPPED = ("rounds", "from", "to", "scene", "triangles")  # within one process, or in the title
+
+
 def ask(words):
     return json.loads(subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout)
 
@@ -34,7 +37,7 @@ def cell(name, values):
 def merged(tables):
     """The lines of one table, which each process made."""
     yield "\n" + tables[0].get("title", "")
-    names = [name for name in tables[0]["rows"][0] if not name.endswith("_quartile") and name not in ("rounds", "from", "to")]
+    names = [name for name in tables[0]["rows"][0] if not name.endswith("_quartile") and name not in DROPPED]
     rows = [[cell(name, [row.get(name) for row in same]) for name in names] for same in zip(*(table["rows"] for table in tables))]
     widths = [max(map(len, column)) for column in zip(names, *rows)]
     for row in (names, *rows):
@@ -63,7 +66,8 @@ def main():
             print(f"\n== {' '.join(words[1:])}", file=file)
             # A table without rows says how many were disturbed, and is not in every process.
             for tables in zip(*([table for table in run["tables"] if "rows" in table] for run in runs)):
-                print("\n".join(merged(tables)), file=file)
+                if any(table["rows"] != tables[0]["rows"] for table in tables):  # not counts alone
+                    print("\n".join(merged(tables)), file=file)
 
 
 if __name__ == "__main__":
