@@ -2,9 +2,11 @@
 """Asks questions of tribox-bench in ten processes each, and records the tables: record.py BUILD OUT [MESH ...].
 
 A figure that differs is the median of the processes, with the least and the most in brackets. A column *_least has the least.
+OUT.json has what each process said.
 """
 import argparse
 import json
+import os
 import statistics
 import subprocess
 
@@ -61,9 +63,10 @@ def main():
         first = answers[0][0]
         for name in ("processor", "compiler", "flags", "commit", "limits"):
             print(f"{name}: {first[name]}", file=file)
-        print(f"processes: {arguments.processes} a table; median (least to most) of them", file=file)
+        on = f"{len(os.sched_getaffinity(0))} of {os.cpu_count()} processors"
+        print(f"processes: {arguments.processes} a table, on {on}; median (least to most) of them", file=file)
         for words, runs in zip(asked, answers):
-            print(f"\n== {' '.join(words[1:])}", file=file)
+            print(f"\n== {' '.join(word for word in words[1:] if word != '--json')}", file=file)
             # A table without rows says how many were disturbed, and is not in every process.
             for tables in zip(*([table for table in run["tables"] if "rows" in table] for run in runs)):
                 if any(table["rows"] != tables[0]["rows"] for table in tables):  # not counts alone
