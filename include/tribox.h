@@ -166,9 +166,9 @@ TRIBOX_API const char *tribox_status_text(tribox_status status);
  * misses most segments that are much longer than the box, and some slivers that are more than 2^16 times as long as high (2^16 / k
  * times if they are k times as long as a side of the box). Use EXACT or CONSERVATIVE for these. Use EXACT if triangles lie in faces
  * of boxes: if coordinates are rounded, to tenths for example, rounding alone decides the sign of a tie. FAST is wrong about some
- * of these contacts, up to three times as often as the paper's test in float (PROOFS.md 10). With TRIBOX_AXES_BOX |
- * TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST on slivers, but also reports wider triangles that only the plane
- * separates.
+ * of these contacts: from a sixth to three times as many as the paper's test in float, as the box has it (PROOFS.md 10). With
+ * TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST on slivers, but also reports wider triangles that
+ * only the plane separates.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
