@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""house.py ROOT: the house is as CONTRIBUTING.md and src/README.md say: rooms, who uses whom, files, lines, links."""
+"""house.py ROOT: the house is as CONTRIBUTING.md and src/README.md say: folders, who uses whom, files, lines, links."""
 import collections
 import os
 import re
@@ -31,7 +31,7 @@ def read(name):
         return file.read()
 
 
-def room_of(name):
+def folder_of(name):
     """Of a path below src: its folder, that of the texts for those below it; "" for the files at the top."""
     parts = name.split("/")
     return parts[0] if len(parts) > 1 else ""
@@ -51,33 +51,33 @@ for folder, count in collections.Counter(os.path.dirname(name) for name in SOURC
     if count > MOST:
         fail(f"src/{folder}: {count} sources, more than {MOST}; make a folder of those that change together")
 
-# src/README.md's table names every room, and each uses what it says. The types of the top are everybody's.
+# src/README.md's table names every folder, and each uses what it says. The types of the top are everybody's.
 page = read("src/README.md")
 may_use = {}
-for rooms, uses in re.findall(r"^\| (.*?) \| .*? \| (.*?) \|$", page, re.M):
-    for room in re.findall(r"`(\w+)/`", rooms):
-        may_use[room] = set(re.findall(r"`(\w+)/`", uses))
-rooms = {room_of(name) for name in SOURCES} - {""}
-for room in sorted(rooms ^ set(may_use)):
-    fail(f"src/README.md: the room {room}/ is in the table or in src, but not in both")
+for folders, uses in re.findall(r"^\| (.*?) \| .*? \| (.*?) \|$", page, re.M):
+    for folder in re.findall(r"`(\w+)/`", folders):
+        may_use[folder] = set(re.findall(r"`(\w+)/`", uses))
+folders = {folder_of(name) for name in SOURCES} - {""}
+for folder in sorted(folders ^ set(may_use)):
+    fail(f"src/README.md: the folder {folder}/ is in the table or in src, but not in both")
 
 
-def reach(room, seen=()):
-    """The rooms that one may use, directly or through others."""
-    return may_use.get(room, set()).union(*(reach(other, (*seen, room)) for other in may_use.get(room, ()) if other not in seen))
+def reach(folder, seen=()):
+    """The folders that one may use, directly or through others."""
+    return may_use.get(folder, set()).union(*(reach(to, (*seen, folder)) for to in may_use.get(folder, ()) if to not in seen))
 
 
 for name in SOURCES:
-    room = room_of(name)
+    folder = folder_of(name)
     for include in re.findall(r'(?m)^\s*#\s*include "(\w+)/', read("src/" + name)):
-        allowed = {room, "base"} | reach(room)
-        if room == "kernel":
+        allowed = {folder, "base"} | reach(folder)
+        if folder == "kernel":
             allowed |= {"voxels", "index", "fill"}  # lists and types that they fill
-        if room in VOCABULARIES or room == "exact":
+        if folder in VOCABULARIES or folder == "exact":
             allowed |= {"kernel"}
-        if room and include not in allowed:
-            fail(f"src/{name}: includes {include}/, which src/README.md does not let {room}/ use")
-        if include in VOCABULARIES and include != room:
+        if folder and include not in allowed:
+            fail(f"src/{name}: includes {include}/, which src/README.md does not let {folder}/ use")
+        if include in VOCABULARIES and include != folder:
             fail(f"src/{name}: knows an instruction set")
 
 # What users read names them all: WebAssembly has its own documents.
@@ -143,5 +143,5 @@ for name in FILES:
             fail(f"{name}: the link {path}#{anchor} leads nowhere")
 
 print(*failures, sep="\n")
-print(f"{len(SOURCES)} sources in {len(rooms)} rooms, {len(failures)} faults")
+print(f"{len(SOURCES)} sources in {len(folders)} folders, {len(failures)} faults")
 sys.exit(bool(failures))
