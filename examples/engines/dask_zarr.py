@@ -1,12 +1,12 @@
 """A mesh into a Zarr array of packed cells, with Dask: dask_zarr.py MESH RESOLUTION OUT.zarr [--ids] [--workers N] [--shards N]
 
-Word [k, j, i // 64] of the array has cell (i, j, k) as its bit i % 64, as Voxels.words has it; with --ids number [k, j, i] is that
-of the lowest triangle in the cell, -1 where there is none. Chunks without cells are not stored.
+Cell (i, j, k) is bit i % 64 of word [k, j, i // 64] of the array, as in Voxels.words. With --ids, number [k, j, i] is that of the
+lowest triangle in the cell, -1 if there is none. Chunks without cells are not stored.
 
-One task sorts the mesh, which may be larger than memory, by tiles into a folder; then each voxelizes its share of the tiles, of
-about equal work, into a file of bricks, and writes these into the array. A tile is a chunk, and a task owns its chunks and writes
-each whole: a task that a killed worker had begun is run again. OUT.zarr appears when all have ended. What a run that ends before
-leaves in OUT.zarr.jobs, the same command goes on with.
+One task sorts the mesh, which may be larger than memory, by tiles into a folder. Then each task voxelizes its share of the tiles,
+of about equal work, into a file of bricks, and writes these into the array. A tile is a chunk, and a task owns its chunks and
+writes each whole: if a worker is killed, its task is run again. OUT.zarr appears when all tasks have ended. If a run ends early,
+the same command continues from the files in OUT.zarr.jobs.
 
 Workers import shards.py: on other machines it has to be on their PYTHONPATH.
 """
@@ -28,7 +28,7 @@ from dask.distributed import Client, LocalCluster, as_completed
 
 
 def tiles_of(bricks, side):
-    """The runs of bricks, first to before end, that are of one tile."""
+    """The runs of bricks, first to before end, that belong to one tile."""
     tiles = bricks.at // (side // 8)
     borders = (np.flatnonzero((tiles[1:] != tiles[:-1]).any(1)) + 1).tolist()
     return zip([0, *borders], [*borders, len(tiles)]) if len(tiles) else ()
@@ -63,7 +63,7 @@ def store(part, path, side, ids):
 
 
 def make_array(path, part, ids):
-    """Of the grid that a part is of; returns how many cells the side of a tile has."""
+    """Makes the array for the grid of a part; returns how many cells the side of a tile has."""
     with np.load(part) as file:
         (nx, ny, nz), side = file["size"].tolist(), int(file["whole"][6])
         grid = {name: file[name].tolist() for name in ("origin", "cell", "size")}
@@ -83,7 +83,7 @@ def run(each, mesh, resolution, count, jobs, ids):
 
 
 def attempt(task, *call):
-    """What it returns, or the error of the program, which has said why, and would again. If it was killed that is raised."""
+    """What it returns, or the error of the program, which has said why and would fail again. Raises if the program was killed."""
     try:
         return task(*call)
     except subprocess.CalledProcessError as error:

@@ -1,10 +1,10 @@
 """A mesh into a file of bricks, with MPI: mpirun -n 4 python3 -m mpi4py mpi_bricks.py MESH RESOLUTION OUT.npz [--ids]
 
-The first rank sorts the mesh by tiles; each voxelizes its share of the tiles, of about equal work, and has the bricks: here it
-counts their cells. The first joins the files of all. With --ids OUT.npz has the lowest triangle of each cell too.
+The first rank sorts the mesh by tiles. Each voxelizes its share of the tiles, of about equal work, and then has the bricks: here it
+counts their cells. The first joins the files of all. With --ids, OUT.npz also has the lowest triangle of each cell.
 
-A rank that is killed ends the run with an error, and so does one that fails, which is what `-m mpi4py` is for. The same command
-goes on with what lies in OUT.npz.jobs. `mpirun --timeout S` limits its time.
+If a rank is killed or fails, the run ends with an error (for failures, `-m mpi4py` sees to that). The same command then continues
+from the files in OUT.npz.jobs. `mpirun --timeout S` limits its time.
 """
 
 import os

@@ -1,7 +1,7 @@
 """What the examples for Dask and MPI share: the program sorts a mesh, however large, and a task voxelizes its share of the tiles.
 
-Each file has its name when it is whole, and whoever makes it again makes the same, so that a task that was killed is simply run
-again. The files lie on a disk that all see, the program `tribox` is on the PATH.
+A file gets its name only when it is whole, and making it again gives the same bytes. So a task that was killed is simply run again.
+The files lie on a disk that all machines see, and the program `tribox` is on the PATH.
 """
 
 import os
@@ -9,12 +9,12 @@ import subprocess
 
 
 def tribox(*words):
-    """Runs the program, which says on stderr what is wrong."""
+    """Runs the program, which reports errors on stderr."""
     subprocess.run(["tribox", *map(str, words), "--quiet"], check=True)
 
 
 def sort(mesh, resolution, jobs, ids=False):
-    """The triangles by tiles of the grid, of which a shard reads its own. Unless they are there."""
+    """Sorts the triangles by tiles of the grid, so that a shard reads only its own; unless that has been done."""
     folder = os.path.join(jobs, "tiles")
     try:
         if not os.path.exists(folder):
@@ -25,7 +25,7 @@ def sort(mesh, resolution, jobs, ids=False):
 
 
 def voxelize(jobs, number, count, ids=False):
-    """The path of the bricks of shard number 1 .. `count`, which are made unless they are there."""
+    """The path of the bricks of shard number 1 .. `count`, made unless the file exists."""
     path = os.path.join(jobs, f"{number}.npz")
     if not os.path.exists(path):
         tribox("voxelize", os.path.join(jobs, "tiles"), *["--ids"] * ids, "--shard", f"{number}/{count}", "-t", 1, "-o", path)
@@ -33,7 +33,7 @@ def voxelize(jobs, number, count, ids=False):
 
 
 def take_up(folder, mesh, *command):
-    """Makes the folder of a run, or goes on with that of the same command; refuses another's."""
+    """Makes the folder of a run, or continues with the one that the same command made. Refuses one of another command."""
     try:
         about, path = os.stat(mesh), os.path.join(folder, "command")
     except OSError as error:

@@ -1,11 +1,11 @@
 #!/bin/sh
-# A mesh into bricks on a Slurm cluster; no test runs it. A job sorts the mesh by tiles; an array of N voxelizes a shard each; the
-# last merges. Each starts when those before have succeeded.
+# A mesh into bricks on a Slurm cluster; no test runs this script. One job sorts the mesh by tiles, an array of N voxelizes a shard
+# each, and the last merges. Each starts when the jobs before it have succeeded.
 #
 #     sh slurm.sh MESH RESOLUTION N OUT.npz [--ids]
 #
 # OUT.npz.jobs, on a file system that all nodes see, holds what the jobs read and write, and their logs. After a failure the same
-# command goes on with the files that are there, as each has its name only when it is whole; remove it before another command.
+# command continues from its files, which get their names only when they are whole. Remove it before you run another command.
 set -eu
 mesh=$(realpath "$1") resolution=$2 n=$3 out=$(realpath "$4") ids=${5-}
 jobs=$out.jobs
