@@ -3,8 +3,8 @@
 
 /**
  * Where tribox.wasm comes from: an address, a response, its bytes, or a compiled module (which can be posted to Workers). By
- * default it is loaded from the folder of tribox.mjs. Where there is no page, as in Node.js, addresses must be complete: a file:
- * URL, not a path.
+ * default it is loaded from the folder of tribox.mjs. If there is no page, as in Node.js, addresses must be complete: a file: URL,
+ * not a path.
  */
 export type Source = string | URL | Response | PromiseLike<Response> | BufferSource | WebAssembly.Module;
 
@@ -16,7 +16,7 @@ export type Vector = ArrayLike<number> | { readonly x: number; readonly y: numbe
 
 /**
  * A closed axis-aligned box, with lo and hi or, as in three.js's Box3, min and max. Its numbers are taken as doubles, without
- * rounding, and must be finite; lo > hi on any axis makes it the empty box, which nothing overlaps.
+ * rounding, and must be finite. If lo > hi on any axis, the box is empty, and nothing overlaps it.
  */
 export type Box = { readonly lo: Vector; readonly hi: Vector } | { readonly min: Vector; readonly max: Vector };
 
@@ -44,7 +44,7 @@ export interface Options {
     readonly accuracy?: Accuracy;
     /** All three groups by default. */
     readonly axes?: readonly Axes[];
-    /** In which order the groups are tried (1 box, 2 plane, 3 edges). By default the call chooses; the order changes no answer. */
+    /** The order in which groups are tried (1 box, 2 plane, 3 edges). By default the call chooses; the order changes no answer. */
     readonly axisOrder?: 123 | 132 | 213 | 231 | 312 | 321;
 }
 
@@ -66,7 +66,7 @@ export interface FindOptions extends Options {
 export interface SplitOptions extends Options {
     /** Where the children meet, not outside the box; by default the doubles nearest to (lo + hi) / 2. */
     readonly middle?: Vector;
-    /** The triangles that are asked about, in any order, some perhaps more than once; by default all. */
+    /** The triangles that are tested, in any order, some perhaps more than once; by default all. */
     readonly list?: ArrayLike<number>;
 }
 
@@ -97,7 +97,7 @@ export interface Classes extends Overlap {
     readonly insideMask: Mask;
 }
 
-/** What lies in the memory of the instance until it is freed. `using` frees it at the end of a block. */
+/** An object in the memory of the instance until it is freed. `using` frees it at the end of a block. */
 export interface Freeable {
     /** Gives the memory back. Any use of the object afterwards throws; freeing it again does nothing. */
     free(): void;
@@ -106,11 +106,11 @@ export interface Freeable {
 
 /** An instance of the library. Everything in its memory goes when the instance is garbage-collected. */
 export interface Tribox {
-    /** Of the library, such as '1.0.0'. */
+    /** The version of the library, such as '1.0.0'. */
     readonly version: string;
     /** The name of the kernel: 'wasm128'. */
     readonly kernel: string;
-    /** For load() in Workers: it can be posted. */
+    /** Give it to load() in Workers: it can be posted. */
     readonly module: WebAssembly.Module;
     readonly memory: WebAssembly.Memory;
     /** The C functions of the library, which tribox.h explains, with malloc and free. */
@@ -118,7 +118,7 @@ export interface Tribox {
 
     /** Copies the triangles of a mesh into the memory, as nine streams. */
     soup(mesh: MeshOfFloats, options?: SortOptions): Soup;
-    /** Room for `length` triangles, to be written through x, y and z. Until then they are NaN, and overlap nothing. */
+    /** Space for `length` triangles, which you write through x, y and z. Until then they are NaN, and overlap nothing. */
     allocSoup(length: number): Soup;
     /** Copies a mesh of doubles, or of floats, into the memory as it is. Answers are exact about the doubles. */
     mesh(mesh: MeshOfNumbers, options?: SortOptions): Mesh;
@@ -149,7 +149,7 @@ export interface MeshOfNumbers {
 
 export interface SortOptions {
     /**
-     * Puts triangles that are near in space near in number, which makes an index fast. All triangle numbers then refer to that
+     * Gives near numbers to triangles that are near in space, which makes an index fast. All triangle numbers then refer to that
      * order; `ids` translates them.
      */
     readonly sort?: boolean;
@@ -174,11 +174,11 @@ export interface Triangles extends Freeable {
     find(box: Box, options?: FindOptions): number;
     /**
      * Which of the eight children of a box does each triangle overlap? For octrees: bit c of a byte is child c, from lo to the
-     * middle on axis a where bit a of c is 0, from there to hi where it is 1. Axes are all, or 'box'. If all leaves have one size,
+     * middle on axis a if bit a of c is 0, from there to hi if it is 1. Axes are all, or 'box'. If all leaves have one size,
      * bricks() is many times as fast.
      */
     split(box: Box, options?: SplitOptions): Uint8Array;
-    /** An index: bounds of groups of triangles, with which a query takes time only for its answer. Free it before the triangles. */
+    /** An index: bounds of groups of triangles, so the time of a query grows only with its answer. Free it before the triangles. */
     index(): Index;
     /** The bounds of all triangles whose coordinates are finite; null if there are none. */
     bounds(): { lo: [number, number, number]; hi: [number, number, number] } | null;
@@ -186,8 +186,8 @@ export interface Triangles extends Freeable {
     /** The cells that triangles overlap: of a grid, or of one laid around them. Voxels stand for their own grid and window. */
     voxelize(grid: Grid | Around | Voxels, options?: VoxelizeOptions): Voxels;
     /**
-     * The cells of a closed surface and those that it encloses: those for which it crosses the line along x to the cell's middle an
-     * odd number of times. voxels: from voxelize, of these triangles and a whole grid. See also Voxels.fillOutside.
+     * The cells of a closed surface and the cells that it encloses: it crosses the line along x to their middles an odd number of
+     * times. voxels: from voxelize, of these triangles and a whole grid. See also Voxels.fillOutside.
      */
     fillParity(voxels: Voxels): FilledByParity;
     /** Which triangles overlap which tile of a grid, or with a side of 1 which cell. */
@@ -195,9 +195,9 @@ export interface Triangles extends Freeable {
     /** All triangles of each cell that has any, of a grid or of a window of it; takes memory for each cell of the window. */
     cellLists(grid: Grid | Around | Voxels, options?: CellListsOptions): CellLists;
     /**
-     * voxelize for grids whose cells need not fit into the memory: hands each brick of 8 x 8 x 8 cells that is not empty to take,
-     * in the order of tile numbers, then of z, y, x. tiles: their side is a multiple of 8, at most 1024; 128 is a good choice, with
-     * lists 64, as they take about 2 KB for each triangle of the fullest tile.
+     * voxelize for grids whose cells need not fit into the memory: calls take for each brick of 8 x 8 x 8 cells that is not empty,
+     * in the order of tile numbers, then of z, y, x. tiles: their side is a multiple of 8, at most 1024. 128 is a good choice, or
+     * 64 with lists, which take about 2 KB for each triangle of the fullest tile.
      */
     bricks(grid: Grid | Around, tiles: Tiles, take: TakeBrick, options?: Options & { readonly lists?: false }): Bricks;
     bricks(grid: Grid | Around, tiles: Tiles, take: TakeBrickLists, options: Options & { readonly lists: true }): Bricks;
@@ -209,7 +209,7 @@ export interface Soup extends Triangles {
      * x[v][i] is the x of vertex v (0, 1, 2) of triangle i: views of the memory, without a copy. They become invalid when the
      * memory grows, which can happen in calls that make something (soup, allocSoup, mesh, mask, voxels, index), in lists, bricks
      * and fills, and in calls that return masks or voxels without `into`. So do not keep them: each access to the property makes
-     * new ones.
+     * new views.
      */
     readonly x: readonly [Float32Array, Float32Array, Float32Array];
     readonly y: readonly [Float32Array, Float32Array, Float32Array];
@@ -224,8 +224,8 @@ export interface Mesh extends Triangles {
 }
 
 /**
- * An index over a soup or a mesh: the same answers, faster, and for doubles exact about the doubles. It pays where triangles near
- * in number are near in space: see SortOptions. It has no find; call that of the triangles, or any, which is faster.
+ * An index over a soup or a mesh: the same answers, faster, and for doubles exact about the doubles. It pays if triangles with near
+ * numbers are near in space: see SortOptions. It has no find: call find of the triangles, or any, which is faster.
  */
 export interface Index extends Freeable {
     readonly triangles: Soup | Mesh;
@@ -243,8 +243,8 @@ export interface Index extends Freeable {
 }
 
 /**
- * A bit for each triangle. The mask that a call without `into` returns is yours and needs no care. One made by tribox.mask() lies
- * in the memory of the instance: its words are a view (see Soup), and free() gives them back.
+ * A bit for each triangle. A mask that a call without `into` returns is yours, and need not be freed. A mask made by tribox.mask()
+ * lies in the memory of the instance: its words are a view (see Soup), and free() gives them back.
  */
 export interface Mask extends Freeable {
     readonly length: number;
@@ -317,8 +317,8 @@ export interface TileLists {
 export type TakeBrick = (at: [number, number, number], bits: Uint32Array) => unknown;
 
 /**
- * The same with the triangles of each cell: cell i, j, k has those from triangles[starts[c]] to before triangles[starts[c + 1]], where
- * c is i + 8 * j + 64 * k.
+ * The same with the triangles of each cell: cell i, j, k has triangles[starts[c]] to before triangles[starts[c + 1]], where c is i
+ * + 8 * j + 64 * k.
  */
 export type TakeBrickLists =
     (at: [number, number, number], bits: Uint32Array, starts: Uint32Array, triangles: Uint32Array) => unknown;
@@ -334,7 +334,7 @@ export interface Bricks {
 export interface Filled {
     /** The cells of the surface and those that it encloses. */
     readonly solid: Voxels;
-    /** How many were filled, without those of the surface. */
+    /** How many cells were filled, without those of the surface. */
     readonly inside: number;
 }
 
@@ -355,8 +355,8 @@ export interface Voxels extends Freeable {
     /** Cell (i, j, k) is bit i % 32 of bits[(k * size[1] + j) * rowWords + (i >> 5)]. */
     readonly bits: Uint32Array;
     /**
-     * For each cell, (i, j, k) at (k * size[1] + j) * size[0] + i, the lowest number of a triangle that overlaps it, or 2^32 - 1
-     * where it is not set; null unless voxelize was called with ids. Colours of cells are then one look-up. The array is yours.
+     * For each cell, (i, j, k) at (k * size[1] + j) * size[0] + i, the lowest number of a triangle that overlaps it, or 2^32 - 1 if
+     * the cell is not set; null unless voxelize was called with ids. Look colours of cells up by it. The array is yours.
      */
     readonly ids: Uint32Array | null;
     has(i: number, j: number, k: number): boolean;

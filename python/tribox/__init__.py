@@ -5,22 +5,22 @@
     >>> tribox.overlap(triangles, (-1, -1, -1), (1, 1, 1))
     array([ True, False])
 
-What there is, each with a help() of its own:
+The names of the module, each with a help() of its own:
 
     read(path)            the mesh of a file of any format that the program reads
     overlap, find, overlap_any, overlap_all, classify, overlap_boxes, overlap_oriented, split, crop
-                          triangles and a box, of which OrientedBox is a turned one
+                          triangles and a box; OrientedBox is a turned box
     Index                 many boxes: .list(), .lists(), .count(), .any(), .overlap()
     voxelize              Voxels: .points(), .cells(), .labels(), .ids, .colors, .inside, .with_colors(), .save(), Voxels.load(),
-                          and all that arrays have; into a Grid, or grid_around() the mesh
+                          and all that arrays have; in a Grid, or grid_around() the mesh
     bricks                Bricks, of grids beyond memory: .points(), .cells(), .voxels(), .save(), Bricks.load()
     cell_lists            CellLists: all triangles of each cell
-    Mesh, Soup            triangles as the library reads them: what every call takes, once and for many
+    Mesh, Soup            triangles as the library reads them: convert once, and give them to many calls
 
 Triangles are an array of shape (n, 3, 3), a Mesh of vertices and faces, a mesh of trimesh, Open3D, PyVista or meshio, or a Soup of
 nine streams. Coordinates, boxes and cells are in the same unit of length, whichever it is. float32 and float64 are read in place,
-rows and columns alike; lists, whole numbers and other layouts are copied. Nothing is rounded: numbers that cannot be taken as they
-are raise an error that says which argument it is and what to do.
+rows and columns alike; lists, whole numbers and other layouts are copied. Nothing is rounded: if a number cannot be taken as it is,
+an error names the argument and says what to do.
 
     >>> utm = triangles + np.array([557820.1, 5108010.2, 700.3])
     >>> tribox.overlap(utm, (557820, 5108010, 700), (557821, 5108011, 701))
@@ -55,8 +55,8 @@ voxelize() returns Voxels, an array of bool that knows its grid. The grid is lai
     >>> voxels.points()[:1]
     array([[0.05, 0.05, 0.05]])
 
-With ids they say which triangle is in a cell, the lowest of several. Attributes of triangles then become attributes of cells by a
-look-up, and colors those of files, as with voxelize(..., colors=colours):
+With ids, Voxels say which triangle is in a cell, the lowest of several. Look attributes of triangles up by ids, and they become
+attributes of cells. Colours go into files by with_colors(), or at once by voxelize(..., colors=colours):
 
     >>> voxels = tribox.voxelize(triangles, resolution=4, ids=True)
     >>> colours = np.array([[255, 0, 0], [0, 0, 255]], np.uint8)    # of each triangle; of trimesh: mesh.visual.face_colors
@@ -65,7 +65,7 @@ look-up, and colors those of files, as with voxelize(..., colors=colours):
     >>> voxels.with_colors(colours[voxels.ids]).colors[-1]    # and .save("cells.vox")
     array([  0,   0, 255], dtype=uint8)
 
-A grid that is too large for memory comes as bricks of 8 x 8 x 8 cells, only those that are not empty:
+A grid too large for memory comes as bricks of 8 x 8 x 8 cells, without the empty ones:
 
     >>> bricks = tribox.bricks(triangles, resolution=4096)
     >>> bricks.at.shape, bricks.bits.shape
@@ -78,14 +78,13 @@ cell_lists() says which triangles are in which cell, in the order of voxels.cell
     (array([0, 2, 0], dtype=uint32), array([0], dtype=uint32))
     >>> lowest = lists.triangles[lists.start[:-1]]    # one for each cell: colours[lowest] are its colours
 
-read() and some formats of save() run the program tribox, which is found on PATH, or where the environment variable
-TRIBOX_PROGRAM says. Meshes larger than memory, and many machines, are for the program: see examples/engines, which run it with
-Dask, MPI and Slurm.
+read() and some formats of save() run the program tribox, which is found on PATH, or where the environment variable TRIBOX_PROGRAM
+says. For meshes larger than memory, and for many machines, use the program: examples/engines run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
 float64. Bounds of boxes and planes of grids are doubles: 0.1 is the double, np.float32(0.1) the float. A Soup holds float32. A
 triangle with a NaN or an infinity overlaps nothing. A wrong argument raises a tribox.Error. Calls use one thread; threads=0 takes
-one for each processor. They release the interpreter's lock, so threads of yours run in parallel.
+one for each processor. They release the interpreter's lock, so your threads run in parallel.
 
 The library is the one in the wheel, or else the installed libtribox.so.1; the environment variable TRIBOX_LIBRARY may name another.
 Everything is typed; tribox.TrianglesLike is the type of what can be passed as triangles.

@@ -30,7 +30,7 @@ BATCH_BYTES, BATCH_MAX = 1 << 20, 1 << 10  # of tiles that are cut into bricks a
 
 @dataclass(frozen=True, eq=False)
 class Bricks(metaclass=Brief):
-    """Bricks of 8 x 8 x 8 cells, those that are not empty. Brick n has the cells 8 * at[n] + (i, j, k), for i, j, k = 0 .. 7.
+    """Bricks of 8 x 8 x 8 cells, without the empty ones. Brick n has the cells 8 * at[n] + (i, j, k), for i, j, k = 0 .. 7.
 
     at: uint32 of shape (n, 3): x, y, z. bits: uint64 of shape (n, 8): bit i + 8 * j of bits[n, k] is that cell. grid: the Grid.
     shift: what was subtracted from the mesh, if the bricks come from a file that says so. shard: (I, N) if the file is only
@@ -54,14 +54,14 @@ class Bricks(metaclass=Brief):
 
     @staticmethod
     def load(path: Union[str, "os.PathLike[str]"]) -> Bricks:
-        """Reads a .npz file of bricks. It may be a part, which tribox voxelize --shard I/N wrote, as shard then says.
+        """Reads a .npz file of bricks. It may be a part that tribox voxelize --shard I/N wrote; shard says so.
 
         Raises InputError for a file that does not hold bricks or is damaged. `tribox merge` makes one file of all parts.
         """
         return Bricks(*load_bricks(path))
 
     def voxels(self) -> Voxels:
-        """All cells of the grid, also the clear ones, as Voxels with ids, labels or colors. InputError for a part, or 16 GiB."""
+        """All cells of the grid, clear or set, as Voxels with ids, labels or colors. InputError for a part, or over 16 GiB."""
         if self.shard:
             raise InputError(f"these Bricks are shard {self.shard[0]} of {self.shard[1]}; tribox merge makes one file of all")
         shape = self.grid.size[::-1]
@@ -82,7 +82,7 @@ class Bricks(metaclass=Brief):
         return middles(self.grid, self.cells())
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes a file of any format that Voxels.save writes, by the ending of its name; of a part, .npz alone.
+        """Writes a file of any format that Voxels.save writes, by the ending of its name; for a part, only .npz.
 
         Formats that hold all cells, such as .npy, take memory for these.
         """
@@ -208,11 +208,11 @@ def bricks(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: O
            resolution: Optional[SupportsIndex] = None, side: SupportsIndex = 128, tiles: Optional[Range] = None,
            threads: Optional[SupportsIndex] = 1, accuracy: Accuracy = "exact", axes: int = ALL,
            kernel: Optional[str] = None, ids: bool = False) -> Bricks:
-    """voxelize for grids whose cells need not fit into memory: Bricks, at and bits, of the cells that some triangle overlaps.
+    """voxelize for grids whose cells need not fit into memory: Bricks, at and bits, of the cells that any triangle overlaps.
 
     triangles, grid, cell, resolution, threads, accuracy, axes, kernel: as for voxelize.
-    side: in cells, of the tiles, the cubes of cells that are done one at a time; a multiple of 8. Bricks do not depend on it, only
-        their order does: by the number of their tile, then by z, y and x.
+    side: of a tile, in cells, a multiple of 8; tiles are cubes of cells, done one at a time. Only the order of bricks depends on
+        it: by the number of their tile, then by z, y and x.
     tiles: (first, count) for only these of the tile_count(grid.size, side) tiles: the share of a task or a machine.
     ids: True for Bricks with ids: for each set cell the lowest number of a triangle that overlaps it, as in voxelize.
 

@@ -29,12 +29,12 @@ NUMBERS_MAX, BLOCK = 1 << 32, 1 << 18  # of triangles in the answer at most; tha
 
 @dataclass(frozen=True, eq=False)
 class CellLists(metaclass=Brief):
-    """The cells that some triangle overlaps, and for each of them all that do.
+    """The cells that any triangle overlaps, and for each cell all triangles that do.
 
     cells: (i, j, k) of each, uint32 of shape (m, 3). triangles: triangle numbers, uint32: cell n has
     triangles[start[n]:start[n + 1]], one or more, in rising order. start: m + 1 places, intp. grid: the Grid.
 
-    triangles[start[:-1]] has the lowest number of each cell, np.diff(start) how many each has, and
+    triangles[start[:-1]] has the lowest triangle number of each cell, np.diff(start) how many triangles each cell has, and
     np.repeat(np.arange(len(cells)), np.diff(start)) the cell of each entry of triangles.
     """
 
@@ -131,10 +131,10 @@ def cell_lists(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cel
     triangles, grid, cell, resolution, threads, accuracy, axes, kernel: as for voxelize. At "exact" the cells are those that
         voxelize sets, in the order of Voxels.cells(). At "fast" they are as at "conservative".
 
-    The grid may be of any size. Memory goes to the answer, 28 bytes for each cell and 4 for each of its triangles, about as much
-    again during the call, and 5 MB for each thread.
+    The grid may be of any size. The answer takes 28 bytes for each cell and 4 for each of its triangles; the call takes about as
+    much again, and 5 MB for each thread.
 
-    Raises errors as voxelize does; also where the answer would have more than 2^32 numbers of triangles.
+    Raises errors as voxelize does; also if the answer would have more than 2^32 numbers of triangles.
     """
     held_, threads_ = held(triangles), threads_of(threads)
     chosen = grid_given(held_, grid, cell, resolution)

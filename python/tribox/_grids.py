@@ -56,7 +56,7 @@ class Grid(metaclass=Brief):
         return iter((self.origin, self.cell, self.size))
 
     def box(self, i: SupportsIndex, j: SupportsIndex, k: SupportsIndex) -> Tuple[Tuple[float, ...], Tuple[float, ...]]:
-        """(lo, hi) of cell (i, j, k): the very box that voxelize asks about."""
+        """(lo, hi) of cell (i, j, k): the very box that voxelize tests."""
         cell = wholes((i, j, k), 0, SIZE_MAX)
         if not cell or any(at >= size for at, size in zip(cell, self.size)):
             raise InputError(f"(i, j, k) = {shown((i, j, k))}; give a cell of the {self.sides()}")
@@ -228,8 +228,8 @@ def grid_around(triangles: TrianglesLike, resolution: Optional[SupportsIndex] = 
     triangles: as for voxelize; those with a NaN or an infinity do not count. resolution: a whole number from 1 on. cell: the length
         of a cell, or three.
 
-    Its origin is the lower corner of the box around the triangles, and its planes reach the upper corner: with a resolution the
-    cell is that part of the longest side, or the next larger number for which they do. The program tribox chooses the same grid.
-    Raises InputError if no triangle is finite, or if all lie in one point and a resolution is given.
+    Its origin is the lower corner of the box around the triangles, and its planes reach the upper corner. With a resolution, the
+    cell is the longest side over the resolution, or the next larger number with which the planes reach that corner. The program
+    tribox chooses the same grid. Raises InputError if no triangle is finite, or if all lie in one point and a resolution is given.
     """
     return grid_given(held(triangles), None, cell, resolution)

@@ -99,19 +99,19 @@ def in_order(held_, order, threads=1):
 
 
 class Index(metaclass=Brief):
-    """An index over triangles, for many queries: each takes time for its answer, and not for all triangles.
+    """An index over triangles, for many queries: the time of a query grows with its answer, not with all triangles.
 
     triangles: as for overlap, at most 2^32, of float32 or float64.
-    keep_order: False copies the triangles into an order in which near ones are near in number, which makes queries fastest. It
-        takes some 100 ns and 40 bytes for each triangle (76 of float64), and 16 more while it is made. True keeps their order: a
-        Soup is then read where it lies and must not change; others are copied.
+    keep_order: False copies the triangles into an order in which near triangles have near numbers, which makes queries fastest. It
+        takes about 100 ns and 40 bytes for each triangle (76 for float64), and 16 more while it is made. True keeps their order: a
+        Soup is then read in place and must not change; others are copied.
 
     threads: how many may share the work of making it. 1 by default, 0 for one on each processor. The Index does not depend on it.
 
-    Answers are those of tribox.overlap, exact about the numbers given, and use the numbers that the triangles have in the array,
-    Mesh or Soup. A box is lo and hi, three numbers each, or lo alone of shape (2, 3), or an OrientedBox. accuracy, axes, axis_order
-    and kernel are as for overlap; axes must include AXES_BOX, and "fast" may report more triangles. Threads may query one Index at
-    the same time. It can be pickled, and copied by the module copy; len() is the number of triangles. Errors are those of overlap.
+    Answers are those of tribox.overlap, exact about the coordinates given. Triangles have their numbers in the array, Mesh or Soup.
+    A box is lo and hi, three numbers each, or lo alone of shape (2, 3), or an OrientedBox. accuracy, axes, axis_order and kernel
+    are as for overlap; axes must include AXES_BOX, and "fast" may report more triangles. Threads may query one Index at the same
+    time. An Index can be pickled, and copied by the module copy; len() is the number of triangles. Errors are those of overlap.
     """
 
     _held: Union[Mesh, Soup]
@@ -168,7 +168,7 @@ class Index(metaclass=Brief):
                 axis_order: int = 0, kernel: Optional[str] = None, packed: bool = False, out: Optional[Answer] = None) -> Answer:
         """Tells which triangles overlap the box: an array of n bool, as tribox.overlap returns it.
 
-        packed, out: as for tribox.overlap. All n are written; list() is faster where few overlap.
+        packed, out: as for tribox.overlap. All n are written, so list() is faster if few overlap.
         """
         question = self._question(lo, hi, accuracy, axes, axis_order, kernel)
         count = len(self)
@@ -213,12 +213,12 @@ class Index(metaclass=Brief):
               kernel: Optional[str] = None, threads: Optional[SupportsIndex] = 1) -> Tuple[NDArray[np.uint32], NDArray[np.intp]]:
         """list() for many boxes: (list, start), where list[start[i]:start[i + 1]] has the triangles of box i.
 
-        lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) where m is not 3; or lo alone, of shape (m, 2, 3). A box
-            that is empty or not finite has no triangles.
+        lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) if m is not 3; or lo alone, of shape (m, 2, 3). A box that
+            is empty or not finite has no triangles.
 
         threads: how many may share the boxes. 1 by default, 0 for one on each processor. The lists do not depend on it.
 
-        list: an array of uint32. start: m + 1 places, an array of intp. Boxes that are near in number should be near in space.
+        list: an array of uint32. start: m + 1 places, an array of intp. Boxes with near numbers should be near in space.
         """
         options, workers = options_of(accuracy, axes, axis_order, kernel), min(threads_of(threads), processors())
         check_box_axes(axes)

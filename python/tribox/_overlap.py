@@ -36,14 +36,14 @@ def overlap(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *
     triangles: an array of shape (n, 3, 3): triangle, vertex, axis; a Mesh, a mesh of another library, a tuple (vertices, faces), or
         a Soup. float32 and float64 are read in place. A triangle with a NaN or an infinity overlaps nothing.
     lo, hi: three finite numbers each, x, y, z, in the unit of the triangles, taken as doubles without rounding; or lo alone, of
-        shape (2, 3), as trimesh's bounds. lo > hi on an axis makes the empty box, which nothing overlaps.
+        shape (2, 3), as trimesh's bounds. lo > hi on an axis makes the box empty, and nothing overlaps it.
     accuracy: "exact", "conservative" or "fast". axes: a union of AXES_BOX, AXES_PLANE and AXES_EDGES.
     axis_order: of the groups of axes, such as 132; with 0 the call chooses. It changes no answer. kernel: a name, such as "avx2".
     packed: returns uint64 words instead; bit i % 64 of word i // 64 is triangle i.
     out: an array to write to and return: n bool, or uint64 words for packed bits.
 
     Raises InputError (a ValueError), InputTypeError (a TypeError) or BadIndexError (an IndexError), which say which argument is
-    wrong, how, and what to give. Nothing is written to out then.
+    wrong, how, and what to give. After an error, out is unchanged.
     """
     held_, options = held(triangles), options_of(accuracy, axes, axis_order, kernel)
     ask, box, said = asked_by(lo, hi, accuracy, axes)
@@ -77,9 +77,9 @@ def asked_by(lo, hi, accuracy, axes):
 
 def find(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, what: Literal["hit", "miss"] = "hit", *,
          accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0, kernel: Optional[str] = None) -> Optional[int]:
-    """The number of the first triangle that overlaps the box, or with what="miss" of the first that does not; None without one.
+    """The number of the first triangle that overlaps the box, or with what="miss" does not overlap it; None if there is none.
 
-    Most triangles after it are not tested, but with an OrientedBox all are. Other arguments and errors are as for overlap.
+    Most triangles after it are not tested, except with an OrientedBox, when all are. Other arguments and errors are as for overlap.
     """
     if what not in WHATS:
         raise InputError(f"what = {shown(what)}; give one of {', '.join(map(repr, WHATS))}")
@@ -95,13 +95,13 @@ def find(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, what
 
 def overlap_any(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact",
                 axes: int = ALL, axis_order: int = 0, kernel: Optional[str] = None) -> bool:
-    """Whether any triangle overlaps the box: False where there is none. Arguments and errors are as for overlap."""
+    """Whether any triangle overlaps the box: False if there are no triangles. Arguments and errors are as for overlap."""
     return find(triangles, lo, hi, "hit", accuracy=accuracy, axes=axes, axis_order=axis_order, kernel=kernel) is not None
 
 
 def overlap_all(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact",
                 axes: int = ALL, axis_order: int = 0, kernel: Optional[str] = None) -> bool:
-    """Whether all triangles overlap the box: True where there is none. Arguments and errors are as for overlap."""
+    """Whether all triangles overlap the box: True if there are no triangles. Arguments and errors are as for overlap."""
     return find(triangles, lo, hi, "miss", accuracy=accuracy, axes=axes, axis_order=axis_order, kernel=kernel) is None
 
 
@@ -141,11 +141,11 @@ def split(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, mi
           kernel: Optional[str] = None) -> NDArray[np.uint8]:
     """Tells which of the eight children of a box each triangle overlaps, for octrees: an array of n uint8.
 
-    Bit c of a byte is child c: from lo to middle on axis a where bit a of c is 0, and from middle to hi where it is 1.
+    Bit c of a byte is child c: from lo to middle on axis a if bit a of c is 0, and from middle to hi if it is 1.
 
     middle: where children meet, three numbers that are not outside the box; by default the doubles nearest to (lo + hi) / 2.
-    numbers: those of the triangles that are asked about, in any order, some perhaps more than once: n of them. By default all are.
-        uint32 is read in place. With children = split(..., numbers=numbers), numbers[children >> c & 1 == 1] are those of child c.
+    numbers: of the n triangles that are tested, in any order, some perhaps more than once; by default all. uint32 is read in place.
+        With children = split(..., numbers=numbers), numbers[children >> c & 1 == 1] are those of child c.
     axes: AXES_ALL or AXES_BOX.
 
     If all leaves have one size, voxelize or bricks are many times as fast. Other arguments and errors are as for overlap; a number
@@ -187,11 +187,11 @@ def overlap_boxes(triangle: Frame, lo: Boxes, hi: Optional[Boxes] = None, *, acc
     """Tests one triangle against many boxes. Returns an array of m bool.
 
     triangle: three vertices of three numbers.
-    lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) where m is not 3; or lo alone, of shape (m, 2, 3). A box that
-        is not finite overlaps nothing, nor does a triangle that is not.
+    lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) if m is not 3; or lo alone, of shape (m, 2, 3). A box or a
+        triangle that is not finite overlaps nothing.
 
-    Boxes with numbers that float32 cannot hold take a call of a microsecond each, as long as thousands of other boxes. Other
-    arguments and errors are as for overlap.
+    If float32 cannot hold a box's numbers, the box takes a call of its own, of a microsecond: as long as thousands of other boxes.
+    Other arguments and errors are as for overlap.
     """
     one, options = np.array([three_times_three("triangle", triangle)]), options_of(accuracy, axes, axis_order, kernel)
     los, his = bounds_of_boxes(lo, hi)
@@ -214,7 +214,7 @@ def overlap_boxes(triangle: Frame, lo: Boxes, hi: Optional[Boxes] = None, *, acc
 class Cropped(metaclass=Brief):
     """Some triangles of a mesh: vertices, faces, face_numbers, vertex_numbers = tribox.crop(mesh, lo, hi).
 
-    Attributes of faces and vertices are looked up by them: colors[face_numbers], normals[vertex_numbers].
+    Look attributes of faces and vertices up by their numbers: colors[face_numbers], normals[vertex_numbers].
     """
 
     vertices: NDArray[Any]
@@ -232,7 +232,7 @@ class Cropped(metaclass=Brief):
 
 def crop(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, inside: bool = False, rest: bool = False,
          accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0, kernel: Optional[str] = None) -> Cropped:
-    """The mesh of the triangles that overlap the box, whole and as they were: vertices, faces, face_numbers, vertex_numbers.
+    """The mesh of the triangles that overlap the box, whole and unchanged: vertices, faces, face_numbers, vertex_numbers.
 
         >>> part = tribox.crop(mesh, (0, 0, 0), (10, 10, 10))
         >>> colors = mesh.visual.face_colors[part.face_numbers]
@@ -241,7 +241,7 @@ def crop(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, i
     triangles: as for overlap, meshes of other libraries included.
     lo, hi: as for overlap; or lo alone, an OrientedBox.
     inside: only those that lie wholly inside; not with an OrientedBox.
-    rest: all other triangles instead, so that each triangle is in one of the two meshes.
+    rest: all other triangles instead: each triangle is in one of the two meshes.
 
     Nothing is cut or merged: a triangle across the border is in the part, with all three corners. A vertex that no face of the
     result uses is left out. Other arguments and errors are as for overlap.

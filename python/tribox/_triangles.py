@@ -162,9 +162,9 @@ class Mesh(metaclass=Brief):
         numbers and lists are copied, without rounding.
     faces: arrays of uint16, uint32 and int32 are read in place if contiguous; other whole numbers and lists are copied.
 
-    Mesh(mesh) takes a mesh of another library, once and for many calls: what has `vertices` and `faces` (trimesh), `vertices` and
+    Mesh(mesh) takes a mesh of another library, once for many calls: one that has `vertices` and `faces` (trimesh), `vertices` and
     `triangles` (Open3D), `points` and `faces` (PyVista), or `points` and `cells_dict` (meshio). It also takes a tuple (vertices,
-    faces), an array of shape (n, 3, 3), and nested lists of such a shape. Every call takes all of these in place of a Mesh.
+    faces), an array of shape (n, 3, 3), and nested lists of such a shape. Every call takes all of these, too.
 
     Coordinates are in the unit of boxes and grids. A triangle with a NaN or an infinity overlaps nothing.
 
@@ -224,17 +224,17 @@ class Mesh(metaclass=Brief):
 
     @property
     def vertices(self) -> NDArray[Any]:
-        """The array that is read, of shape (m, 3), or (n, 3, 3) where there are no faces. Other vertices are another Mesh."""
+        """The array that is read, of shape (m, 3), or (n, 3, 3) if there are no faces. For other vertices make another Mesh."""
         return self._vertices
 
     @property
     def faces(self) -> Optional[NDArray[Any]]:
-        """The array that is read; None where three vertices after three are a triangle."""
+        """The array that is read; None if every three vertices are a triangle."""
         return self._faces
 
     @property
     def face_colors(self) -> Optional[NDArray[np.uint8]]:
-        """Of a mesh that tribox.read has made of a file with colours: uint8 of shape (n, 3); of others None."""
+        """uint8 of shape (n, 3) if tribox.read made the mesh from a file with colours; else None."""
         return getattr(self, "_face_colors", None)
 
     def __len__(self) -> int:

@@ -163,36 +163,36 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
              thin: bool = False, fill: Optional[Fill] = None, labels: bool = False, threads: Optional[SupportsIndex] = 1,
              accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None, into: Optional[Voxels] = None,
              ids: bool = False, colors: Union[bool, ArrayLike, None] = None) -> Voxels:
-    """Marks the cells of a grid that some triangle overlaps, only the surface: returns Voxels, a boolean array with its grid.
+    """Marks the cells of a grid that any triangle overlaps, the surface alone: returns Voxels, a boolean array with its grid.
 
-        voxelize(mesh, cell=0.05)        a grid around the mesh, of cells of that length; cell=(x, y, z) if they are no cubes
-        voxelize(mesh, resolution=256)   a grid around the mesh, of cubes, that many along its longest side
+        voxelize(mesh, cell=0.05)        a grid around the mesh, of cells of this length; cell=(x, y, z) if they are not cubes
+        voxelize(mesh, resolution=256)   a grid around the mesh, of cubes, this many along its longest side
         voxelize(mesh, grid)             tribox.Grid(origin, cell, size), or (origin, cell, size)
 
     triangles: as for overlap; one with a NaN or an infinity sets no cell.
     window: ((i, j, k), (ni, nj, nk)) for only the ni x nj x nk cells from cell (i, j, k) on, with the same exact answers as for the
-        whole grid: for tasks, and for grids of any size, as only the bits of the window take memory, at most 16 GiB.
+        whole grid. Use it for tasks, and for grids of any size: only the bits of the window take memory, at most 16 GiB.
     layers: (first, count) for only these layers along z.
-    thin: about half of these cells: those in which some triangle crosses a line through the middle along x, y or z. A flat surface
-        is then one cell thick, and still does not leak: no path across faces of cells leads through it, but one across edges may.
+    thin: about half of these cells: those in which a triangle crosses a line through the middle along x, y or z. A flat surface is
+        then one cell thick, and still does not leak: no path across faces of cells leads through it, but one across edges may.
         Exact, with all axes.
     fill: "outside" also sets every cell that cannot be reached from outside the grid across faces of clear cells; "parity" also
-        those from whose middle a ray along x crosses the triangles an odd number of times, so that a hole does not empty the
-        inside, and warns (OpenMeshWarning) if the mesh is certainly not closed; "middles" sets only those, without the cells of the
-        surface, as VTK's stencils and PyVista do. Whole grids only.
+        sets each cell if a ray from its middle along x crosses the triangles an odd number of times, so a hole does not empty the
+        inside; it warns (OpenMeshWarning) if the mesh is certainly not closed. "middles" sets only the cells with such a middle, as
+        VTK's stencils and PyVista do. Whole grids only.
     labels: with fill, tells the cells of the surface from those inside: voxels.labels() are 1 and 2, voxels.inside has only the
-        cells inside, and files have labels. Not with into.
-    threads: how many may share the work, if that saves time: with many triangles, or with many cells and few triangles; never more
-        than there are processors. 1 by default, 0 for one on each processor. The answers do not depend on it.
+        cells inside, and files hold the labels. Not with into.
+    threads: how many may share the work, never more than there are processors; used if they save time: with many triangles, or with
+        many cells and few triangles. 1 by default, 0 for one on each processor. The answers do not depend on it.
     into: Voxels of the same grid and window, to which the cells are added, and which are returned.
-    ids: True for Voxels whose ids say which triangle is in a cell: for each set cell the lowest number of one that overlaps it, in
-        the order of cells(). A look-up turns them into colours, materials, parts: face_colors[voxels.ids]. Only for the surface,
-        without fill and into. It takes two to three times as long, and four bytes a cell for some layers at a time.
-    colors: of the triangles, uint8 of shape (n, 3), for Voxels whose colors are, cell by cell, those of the triangle whose id it
-        would be; True for those of the mesh: face_colors of tribox.read, or visual.face_colors of trimesh. In place of ids.
+    ids: True for Voxels whose ids say which triangle is in a cell: for each set cell the lowest number of a triangle that overlaps
+        it, in the order of cells(). A look-up turns ids into colours, materials, parts: face_colors[voxels.ids]. Only for the
+        surface, without fill and into. It takes two to three times as long, and four bytes a cell for some layers at a time.
+    colors: of the triangles, uint8 of shape (n, 3), for Voxels with colors: each cell has the colour of the triangle that ids would
+        name. True for the colours of the mesh: face_colors of tribox.read, or visual.face_colors of trimesh. Not with ids.
     accuracy, axes, kernel: as for overlap.
 
-    Raises errors as overlap does; also for a grid in which two planes round to the same double, and for one that needs over 16 GiB.
+    Raises errors as overlap does; also for a grid in which two planes round to the same double, or which needs over 16 GiB.
     """
     held_, options, threads, fill_call = held(triangles), options_of(accuracy, axes, 0, kernel), threads_of(threads), fill_of(fill)
     chosen = grid_given(held_, grid, cell, resolution)

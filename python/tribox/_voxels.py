@@ -36,9 +36,9 @@ class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
     Voxels can be used like such an array, without a copy: np.asarray(voxels), voxels[3], voxels.sum(), voxels.any(axis=0),
     np.argwhere(voxels), and so on. They are read-only; np.array(voxels) is a copy that can be written to.
 
-    a & b, a | b, a ^ b and ~a are Voxels of the same cells, without ids, labels and colors, which voxels.with_colors() adds. With
-    another grid or window they are an InputError, with an array an array. voxels[2:5, :, 10:] are Voxels of that window of the
-    grid, with their ids and the cells inside. Any other index, such as voxels[3] or voxels[::2], gives what an array gives.
+    a & b, a | b, a ^ b and ~a are Voxels of the same cells, without ids, labels and colors, which voxels.with_colors() adds. Grids
+    or windows that differ are an InputError; with an array the result is an array. voxels[2:5, :, 10:] are Voxels of that window of
+    the grid, with their ids and the cells inside. Any other index, such as voxels[3] or voxels[::2], gives what an array gives.
 
     grid: the Grid. window: (first, size) of the cells of the grid that are here, which may be only some.
     words: the cells in memory, uint64 of shape (nz, ny, words): bit i % 64 of word i // 64 of a row is cell i along x. Bools, eight
