@@ -122,7 +122,7 @@ export async function takesNumbers() {
     ]) {
         await page.fill('#numbers', text);
         await page.press('#numbers', 'Enter');
-        assert.equal(await page.textContent('#message'), `"${text}" is no box: ${why}`);
+        assert.equal(await page.textContent('#message'), `"${text}" is not a box: ${why}`);
         assert.equal(await page.getAttribute('#numbers', 'aria-invalid'), 'true');
     }
     await answerAfter(page, () => page.$eval('#reset', (button) => button.click())); // the focus stays

@@ -61,7 +61,7 @@ function allowedTest(test, box, byIndex) {
     if (box.turned && test.axes !== ALL && test.axes !== BOX)
         return {
             test: { ...test, axes: ALL },
-            note: 'A turned box is asked with all axes, or with the 3 of the box alone: all are taken.',
+            note: 'A turned box needs all axes, or the 3 of the box alone: all are taken.',
         };
     if (byIndex && !(test.axes & BOX))
         return { test: { ...test, axes: test.axes | BOX }, note: 'The index needs the 3 axes of the box: they are taken, too.' };
@@ -157,7 +157,7 @@ export class Page {
         this.ask();
     }
 
-    /** Throws if the text is no box. */
+    /** Throws if the text is not a box. */
     placeText(text) {
         const box = boxOfText(text);
         if (this.mesh) this.placeBox(box);

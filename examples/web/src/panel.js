@@ -63,7 +63,7 @@ const RUNS = 10;
 
 const NOTES = {
     exact: 'The true answer for every finite float.',
-    conservative: 'Never misses an overlap; may report a triangle that comes within rounding of contact.',
+    conservative: 'Never misses an overlap; may report a triangle that misses by less than rounding.',
     fast: 'Single precision: errs either way within rounding of contact. Here it is hardly faster than exact.',
 };
 
@@ -148,7 +148,7 @@ export class Panel {
             this.clearMessage('numbers');
         } catch (error) {
             input.setAttribute('aria-invalid', true);
-            this.say('numbers', `"${input.value}" is no box: ${error.message}`);
+            this.say('numbers', `"${input.value}" is not a box: ${error.message}`);
         }
     }
 
@@ -216,7 +216,7 @@ export class Panel {
 
     showMesh({ name, triangles, sample, bounds }) {
         const count = triangles.length / 9,
-            left = bounds.notFinite ? ` ${whole(bounds.notFinite)} have coordinates that are not finite, and overlap nothing.` : '';
+            left = bounds.notFinite ? ` ${whole(bounds.notFinite)} have coordinates that are not finite and overlap nothing.` : '';
         const drawn = sample
             ? ` Drawn coarser: ${whole(sample.numbers.length)} triangles stand for ${whole(count)}. Triangles that straddle are all drawn.`
             : '';
@@ -317,7 +317,7 @@ export class Panel {
     }
 
     showCells({ count, grid, resolution, drawnAt, milliseconds: ms }, engine) {
-        const coarser = drawnAt < resolution ? ` Drawn at ${drawnAt}: so many faces would be slow here.` : '';
+        const coarser = drawnAt < resolution ? ` Drawn at ${drawnAt}: more faces would be slow here.` : '';
         element('cells-note').textContent = `${whole(count)} of ${grid.size.join(' × ')} cells in ${milliseconds(ms)}.${coarser}`;
         if (this.about === 'cells') this.showFigures(ms, `${whole(count)} of ${grid.size.join(' × ')} cells, `, engine);
     }

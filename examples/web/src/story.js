@@ -19,7 +19,7 @@ export const steps = [
     { scene: 'some', moves: true, test: { cells: true, resolution: 32 } },
 ];
 
-/* Axes as small bars: above the box, below the triangle, and lit what lies between them. */
+/* Axes as small bars: above the box, below the triangle, and between them the gap, lit. */
 function bar(className) {
     const made = document.createElement('i');
     made.className = className;
@@ -73,7 +73,7 @@ const slackOf = ({ axis, lo, hi, r }) => Math.max(lo - r, -r - hi) / Math.hypot(
 const element = (id) => document.getElementById(id);
 
 export class Story {
-    /** motion: null where boxes are to stay where they are. */
+    /** motion: null if boxes stay where they are. */
     constructor(page, panel, motion) {
         Object.assign(this, { page, panel, motion, isOpen: true, at: -1, scene: null });
         this.scroller = element('steps');
@@ -93,7 +93,7 @@ export class Story {
         this.listen();
     }
 
-    /** What is beside the sentences. */
+    /** The controls beside the sentences. */
     listen() {
         for (const slider of document.querySelectorAll('.box-size'))
             slider.addEventListener('input', () => {
@@ -105,7 +105,7 @@ export class Story {
             choice.addEventListener('change', () => this.panel.chooseAccuracy(choice.value));
     }
 
-    /** Of the box that the scene begins with, times a factor, where it is. */
+    /** Makes the box a factor times as large as the scene's first one, where it is. */
     size(factor) {
         const { page } = this, { pose } = page.view.box;
         if (!page.mesh) return;
@@ -140,7 +140,7 @@ export class Story {
         await this.entering;
     }
 
-    /** To the console: nothing moves that is not moved by hand. */
+    /** Opens the console: nothing moves by itself. */
     close() {
         this.isOpen = false;
         document.body.classList.remove('is-waiting');
@@ -204,12 +204,12 @@ export class Story {
         if (hasFigure) this.reshape(mesh.triangles);
     }
 
-    /** As the picture was first. */
+    /** Makes the picture as it was first. */
     restart() {
         if (this.isOpen && this.step.triangle) this.showFigure(this.step);
     }
 
-    /** Of the one triangle. */
+    /** Changes the one triangle. */
     reshape(triangle) {
         this.look(triangle);
         this.page.reshape(triangle);
@@ -253,7 +253,7 @@ export class Story {
             if (left !== null)
                 element('lanes-left').textContent = left
                     ? `${left} of the eight overlap${left === 1 ? 's' : ''} the box.`
-                    : 'All eight are apart: the tests that are left are skipped.';
+                    : 'All eight are apart: the remaining tests are skipped.';
         }
         if (visits) {
             const looked = visits.roots + visits.nodes.length / 6;
@@ -262,7 +262,7 @@ export class Story {
         }
         if (this.step?.scene === 'grazing') {
             const wrong = unlike ? Number(element('unlike').textContent) : 0;
-            element('ties-count').textContent = unlike ? `${wrong} of 30 are wrong: the pink ones.` : 'All 30 are right.';
+            element('ties-count').textContent = unlike ? `${wrong} of 30 are wrong, shown in pink.` : 'All 30 are right.';
         }
     }
 }

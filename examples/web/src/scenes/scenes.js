@@ -16,7 +16,7 @@ export const scenes = {
     knot: { title: 'Knot, 200,000 triangles', ...knotOf(1000, 100) },
     million: { title: 'Knot, 1,000,000 triangles', ...knotOf(2500, 200) },
     paper: {
-        title: "The paper's: 100,000 at random",
+        title: "The paper's 100,000 at random",
         make: () => paperScene(100000),
         box: { center: [0, 0, 0], half: [0.5, 0.5, 0.5] },
     },
