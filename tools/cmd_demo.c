@@ -29,14 +29,14 @@ static const char help[] = "tribox demo - speed and answers on two built-in scen
                            "arrays of floats; 'mesh' reads vertices by indices. Then voxelizes the mesh and draws the voxels.\n"
                            "\n"
                            "  --quick              3 rounds instead of 15: for a first look\n"
-                           "  --picture FILE.png   where the picture of the voxels goes; default: tribox-demo.png, or no\n"
+                           "  --picture FILE.png   writes the picture of the voxels here; default: tribox-demo.png, or no\n"
                            "                       picture with --quick\n"
                            "  -q, --quiet          print no progress\n"
                            "  --help               this text\n"
                            "\n"
-                           "ns/triangle is the median of the rounds, on one thread; x paper, how many times as fast as the\n"
-                           "paper's algorithm; unlike exact, how many triangles have another answer than the exact one.\n"
-                           "All take turns, after a first round that is not counted.\n"
+                           "ns/triangle is the median of the rounds, on one thread. 'x paper' says how many times as fast as\n"
+                           "the paper's algorithm that is, and 'unlike exact' how many triangles get a wrong answer.\n"
+                           "The kernels and the algorithm take turns, after a first round that is not counted.\n"
                            "\n"
                            "Exit codes: 0 success; 1 failure (memory, output); 2 wrong command line.\n"
                            "\n"
@@ -224,7 +224,7 @@ static int show(request *r)
         code = compare(&c[s], &work[s], rounds);
     if (!code) {
         print_table(c, work);
-        printf("\nMedians of %zu rounds on one thread, interleaved. 'paper' is the algorithm of Akenine-Moller (2001),\n"
+        printf("\nMedians of %zu rounds on one thread, in turns. 'paper' is the algorithm of Akenine-Moller (2001),\n"
                "a triangle at a time, compiled with -O3 -ffp-contract=fast for %s; see tribox demo --help.\n",
                rounds, strcmp(paper_instruction_set(), "any") ? paper_instruction_set() : "any processor of this architecture");
         code = show_voxels(r, &work[1].jobs[0].soup);

@@ -214,13 +214,13 @@ static int merge_parts(const merge_request *r)
 }
 
 static const char help[] =
-    "tribox merge - join the parts of a voxelization into one file, or write a whole one anew\n"
+    "tribox merge - join the parts of a voxelization into one file, or convert a whole one\n"
     "\n"
     "Usage: tribox merge PART... -o FILE [OPTION...]\n"
     "\n"
     "PART... are the .npz files of 'tribox voxelize --shard I/N' for all shards, in any order. The\n"
     "result is that of a voxelization in one piece, bit for bit. If FILE is sparse, little memory is\n"
-    "needed. A .npz of the whole, of 'tribox voxelize' or Python, becomes a file of another format.\n"
+    "needed. A whole .npz, from 'tribox voxelize' or Python, becomes a file of another format.\n"
     "\n" RESULT_HELP "  -t, --threads T         1 to 256; default: one for each processor. The file is the same\n" OPTIONS_HELP_HELP
     "\n"
     "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"

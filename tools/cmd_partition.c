@@ -85,7 +85,7 @@ static const char help[] = "tribox partition - sort the triangles of a mesh into
                            "       tribox partition FOLDER... -o FOLDER [OPTION...]\n"
                            "\n"
                            "'tribox voxelize FOLDER --shard I/N' then reads only the triangles of its own tiles. FOLDER must not\n"
-                           "exist yet. MESH is as for 'tribox overlap'; several meshes are taken as one, and so are several\n"
+                           "exist yet. MESH is as for 'tribox overlap'; several meshes count as one, and so do several\n"
                            "partitions of one grid. Binary .stl, .ply, .f32 and .f64 may be larger than memory.\n"
                            "\n" GRID_HELP "  -o, --out FOLDER        where the sorted triangles go\n"
                            "      --ids               keep the numbers of the triangles, for 'tribox voxelize FOLDER --ids'\n"

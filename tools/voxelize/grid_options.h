@@ -16,7 +16,7 @@ enum { GRID_FORMAT, GRID_SHIFT, GRID_RESOLUTION, GRID_CELL, GRID_ORIGIN, GRID_SI
 
 #define GRID_HELP \
     "      --format WORD       " MESH_FORMATS "; standard input needs it\n" \
-    "      --shift X,Y,Z|auto  subtract this from MESH first, in double; auto: near its corner\n" \
+    "      --shift X,Y,Z|auto  subtract this from MESH first, in double; auto: a point near its corner\n" \
     "  -r, --resolution N      N cubic cells along the longest side of the mesh; at most 262144\n" \
     "  -c, --cell S[,S,S]      length of a cell, or its lengths along x, y and z\n" \
     "      --origin X,Y,Z      lower corner of the grid; default: that of the mesh\n" \
