@@ -68,8 +68,8 @@ def fill_parity(held_, grid, words, scratch, solid, is_of_middles=False):
     check(_c.fill_parity(held_, grid, words, scratch, solid, ffi.NULL, odd))
     if odd[0]:
         warnings.warn(f"the mesh is not closed: {odd[0]} of {grid.size[1] * grid.size[2]} rows of cells cross it an odd number of "
-                      'times, and are filled to their end; fill="outside" asks nothing of a mesh but that no hole is larger than a '
-                      "cell", OpenMeshWarning, stacklevel=5 if is_of_middles else 4)
+                      'times, and are filled to their end; fill="outside" only requires that no hole is larger than a cell',
+                      OpenMeshWarning, stacklevel=5 if is_of_middles else 4)
 
 
 def fill_middles(*arguments):

@@ -46,8 +46,8 @@ void voxelize_note_rows(size_t odd_rows, voxelize_answer *a)
 {
     a->odd_rows = odd_rows;
     if (odd_rows)
-        message_say("warning: %s is not closed: %zu rows of cells cross it an odd number of times, and what is filled there may be "
-                    "wrong; --fill outside asks only the cells",
+        message_say("warning: %s is not closed: %zu rows of cells cross it an odd number of times, and may be filled wrongly; "
+                    "--fill outside does not depend on this",
                     triangle_file_name(a->r->from.mesh_path), odd_rows);
 }
 
