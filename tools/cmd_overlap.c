@@ -28,7 +28,7 @@ static const char help[] =
     "      --oriented CX,...   center C, half lengths H, and the directions U, V, W of the axes\n"
     "      --format WORD       " MESH_FORMATS ", whatever the name of the file;\n"
     "                          standard input needs it\n"
-    "      --shift X,Y,Z|auto  subtract this from the mesh first, in double; auto: a point near its corner\n"
+    "      --shift X,Y,Z|auto  subtract this from MESH first, in double; auto: a point near its corner\n"
     "      --inside            also count the triangles inside the box, on its border and outside\n"
     "  -o, --out FILE          write the faces that overlap, with --inside those inside, as a mesh in the\n"
     "                          format of MESH with all attributes: " MESH_ENDINGS "\n"
