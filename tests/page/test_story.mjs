@@ -37,7 +37,7 @@ export async function opens() {
     const page = await openPage({ query: '', options: DESK });
     assert.ok(await page.isVisible('#steps'));
     assert.ok(await page.isHidden('.panel'));
-    assert.match(await page.textContent('.steps .lead'), /^tribox is a C library that tells which of millions of triangles/);
+    assert.match(await page.textContent('.steps .lead'), /^tribox is a C library that finds which of millions of triangles/);
     const first = await answerOf(page);
     await page.waitForFunction(() => /^[\d.]+ × the paper’s$/.test(document.getElementById('factor').textContent));
     await page.waitForFunction((old) => document.getElementById('command').textContent !== old, first.command);
