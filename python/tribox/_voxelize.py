@@ -177,9 +177,9 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
         then one cell thick, and still does not leak: no path across faces of cells leads through it, but one across edges may.
         Exact, with all axes.
     fill: "outside" also sets every cell that cannot be reached from outside the grid across faces of clear cells; "parity" also
-        sets each cell if a ray from its middle along x crosses the triangles an odd number of times, so a hole does not empty the
-        inside; it warns (OpenMeshWarning) if the mesh is certainly not closed. "middles" sets only the cells with such a middle, as
-        VTK's stencils and PyVista do. Whole grids only.
+        those from whose middle a ray along x crosses the triangles an odd number of times, so that a hole does not empty the
+        inside, and warns (OpenMeshWarning) if the mesh is certainly not closed; "middles" sets only those, without the cells of the
+        surface, as VTK's stencils and PyVista do. Whole grids only.
     labels: with fill, tells the cells of the surface from those inside: voxels.labels() are 1 and 2, voxels.inside has only the
         cells inside, and files hold the labels. Not with into.
     threads: how many may share the work, never more than there are processors; used if they save time: with many triangles, or with
