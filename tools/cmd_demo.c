@@ -201,7 +201,7 @@ static int show_voxels(request *r, const tribox_soup *soup)
     const double seconds = time_voxels(soup, &grid, threads, bits);
     const voxels_slab slab = {.layers = grid.size[2], .bits = bits};
     const voxels v = {.grid = grid, .slab = &slab, .slabs = 1};
-    code = seconds > 0 ? preview_draw(&r->picture, &v, &PREVIEW_LOOK_DEFAULT, threads, true)
+    code = seconds > 0 ? preview_draw(&r->picture, &v, &PREVIEW_LOOK_DEFAULT, threads)
                        : message_failure("the voxels of two kernels differ");
     if (!code) {
         printf("\nVoxels of the mesh: %u x %u x %u cells, %zu of them occupied; %.2f ms, %.1f ns per triangle\n", grid.size[0],

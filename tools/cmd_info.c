@@ -161,7 +161,6 @@ static int answer_mesh(const request *r)
     if (r->out_path && (file_out_is_stdout(r->out_path) || !mesh_kind_has_ending(r->out_path, ".npz")))
         return message_usage("--out: '%s' is no name that ends in .npz", r->out_path);
     int code = file_out_check(&names, "mesh", &r->mesh_path, 1);
-    reading_show(!r->is_quiet);
     if (!code)
         code = mesh_read_as(r->mesh_path, TRIANGLES_OTHER, processors_here(), &m);
     if (code)

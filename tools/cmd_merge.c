@@ -41,17 +41,13 @@ static int report(const merge_request *r, const voxels *v, size_t parts, uint64_
         voxelize_json_grid(&j, v, voxels_are_shifted(v));
         json_whole(&j, "occupied", occupied);
         json_whole(&j, "bricks", bricks);
-        json_string(&j, "output", r->result.out_path);
-        if (r->result.preview_path)
-            json_string(&j, "preview", r->result.preview_path);
+        result_json(&j, &r->result);
         json_close(&j);
     } else {
         printf("parts        %zu\n", parts);
         voxelize_print_grid(v, voxels_are_shifted(v));
         printf("occupied     %" PRIu64 " cells\nbricks       %" PRIu64 "\n", occupied, bricks);
-        voxelize_print_written(r->result.out_path, !volume_holds(r->result.format, "place"));
-        if (r->result.preview_path)
-            voxelize_print_preview(r->result.preview_path, result_up(&r->result));
+        result_print(&r->result);
     }
     return output_flush();
 }
@@ -84,7 +80,7 @@ static int take_brick(void *data, const part_brick *brick)
 static int read_parts(merging *m, part *parts, size_t count)
 {
     int code = EXIT_CODE_OK;
-    m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
+    m->bar = progress_start_of("merging", "bricks", (double)m->all);
     for (size_t i = 0; i < count && !code; i++)
         code = part_read(&parts[i], m->r->threads, take_brick, m);
     progress_end(&m->bar);
@@ -103,7 +99,7 @@ static int write_bricks(merging *m, part *parts, size_t count, file_out *out)
     m->out.threads = m->r->threads;
     code = read_parts(m, parts, count);
     if (!code) {
-        progress bar = progress_start("writing", !result->is_quiet);
+        progress bar = progress_start("writing");
         code = brick_out_end(&m->out, &bar);
         progress_end(&bar);
     }
@@ -114,18 +110,16 @@ static int write_bricks(merging *m, part *parts, size_t count, file_out *out)
 static int write_files(merging *m, part *parts, size_t count)
 {
     const result_request *const result = &m->r->result;
-    file_out out, picture;
+    file_out out = {.path = NULL}, picture = out;
     volume_note_shift(result->format, result->out_path, &m->cells);
     int code = file_out_open(&out, result->out_path);
-    if (code)
-        return code;
-    code = file_out_open(&picture, result->preview_path);
-    if (!code) {
+    if (!code)
+        code = file_out_open(&picture, result->preview_path);
+    if (!code)
         code = write_bricks(m, parts, count, &out);
-        if (!code)
-            code = result_draw(result, &m->cells, m->words, m->r->threads, &picture);
-        file_out_drop(&picture);
-    }
+    if (!code)
+        code = result_draw(result, &m->cells, m->words, m->r->threads, &picture);
+    file_out_drop(&picture);
     file_out_drop(&out);
     return code;
 }

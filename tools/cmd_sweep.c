@@ -144,11 +144,8 @@ static void print_text(const findings *f)
 {
     printf("%s\n\n", f->advice.text);
     printf("mesh         %s\n", f->r->mesh_path);
-    if (f->r->shift.is_wanted) {
-        printf("shift        ");
-        output_point(f->r->shift.by, false, ",");
-        putchar('\n');
-    }
+    if (f->r->shift.is_wanted)
+        output_shift(f->r->shift.by);
     printf("triangles    %zu", f->m->soup.count);
     if (f->m->not_finite)
         printf(" (%zu have NaN or infinite coordinates and overlap nothing)", f->m->not_finite);

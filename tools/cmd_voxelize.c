@@ -12,7 +12,7 @@
 #include "console/system.h"
 #include "partition/partition.h"
 #include "read/mesh_file.h"
-#include "voxelize/sort_first.h"
+#include "voxelize/voxelize_work.h"
 #include "write/file_out.h"
 
 static const char help[] =
@@ -254,7 +254,7 @@ static int check_conflicts(const voxelize_request *r, const options_found *found
     for (size_t n = 0; n < sizeof conflicts / sizeof *conflicts; n++)
         if (options_has(found, conflicts[n].one) && options_has(found, conflicts[n].other))
             return message_usage("%s", conflicts[n].line);
-    if (options_has(found, OPTION_MEMORY) && !sort_first_can(r))
+    if (options_has(found, OPTION_MEMORY) && !voxelize_can_sort(r))
         return message_usage("--memory sorts a larger mesh by tiles, which is for exact cells of the surface or of --fill outside: "
                              "leave out --memory, or --accuracy, --axes, --colours, --thin or another --fill");
     for (size_t n = 0; n < sizeof lacks / sizeof *lacks; n++)
@@ -278,7 +278,6 @@ static int answer(void *request, const options_found *found)
         code = check_cells(r, found);
     if (!code)
         code = r->is_count ? check_count(r, found) : check_output(r, found);
-    reading_show(!r->result.is_quiet);
     return code ? code : voxelize_work(r);
 }
 

@@ -147,11 +147,11 @@ static void read_parts(bytes b)
 static void read_tiles(const partition *p)
 {
     size_t sound = 0, count = 0;
-    for (size_t r = 0; r < p->header.records; r++) {
-        sound += partition_is_sound(p, r);
-        count += partition_count(p, r);
+    for (size_t r = 0; r < p->list.count; r++) {
+        sound += partition_is_sound(p->pieces, r);
+        count += tile_list_triangles(&p->list, r);
     }
-    ensure(sound <= p->header.records && count == p->header.places, "a partition has %zu triangles", count);
+    ensure(sound <= p->list.count && count == p->header.places, "a partition has %zu triangles", count);
 }
 
 /* With the checksum that its bytes ask for. Returns how many numbers there are to be. */
@@ -181,7 +181,7 @@ static void read_partition(bytes b)
     const size_t numbers = write_index((bytes){b.first + (b.size > 0), cut - (b.size > 0)});
     write_file(NUMBERS, (bytes){(const uint8_t *)zeros, numbers * sizeof *zeros});
     write_file(TRIANGLES, (bytes){b.first + cut, b.size - cut});
-    const int code = partition_open(&p, lines_folder());
+    const int code = partition_open(&p, &(const char *const){lines_folder()}, 1);
     lines_fit("partition_open", code);
     if (code)
         return;

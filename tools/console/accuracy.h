@@ -4,9 +4,9 @@
 
 #include "tribox.h"
 
-const char *accuracy_word(tribox_accuracy accuracy);
-
-/* Reads what --accuracy has. Returns an exit_code. */
-int accuracy_read(const char *text, tribox_accuracy *accuracy);
+static inline const char *accuracy_word(tribox_accuracy accuracy)
+{
+    return accuracy == TRIBOX_EXACT ? "exact" : accuracy == TRIBOX_CONSERVATIVE ? "conservative" : "fast";
+}
 
 #endif

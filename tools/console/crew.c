@@ -184,7 +184,13 @@ static void note(steps_crew *c, int code)
     c->is_over |= code != 0;
 }
 
-static int tell(const steps_crew *c, void *place, size_t n) { return c->work->tell ? c->work->tell(c->data, place, n) : 0; }
+static int tell(const steps_crew *c, void *place, size_t n, int code)
+{
+    const crew_work *const w = c->work;
+    if (code)
+        return w->refuse ? w->refuse(c->data, place, code) : code;
+    return w->tell ? w->tell(c->data, place, n) : 0;
+}
 
 /* Under the lock, which is left meanwhile: all steps that are done and whose turn it is. */
 static void tell_in_order(steps_crew *c)
@@ -192,7 +198,7 @@ static void tell_in_order(steps_crew *c)
     for (begun_step *s; !c->is_telling && !c->code && (s = &c->steps[c->turn % PLACES_MAX])->is_done;) {
         c->is_telling = true;
         pthread_mutex_unlock(&c->state);
-        const int code = s->code ? s->code : tell(c, s->place, c->turn);
+        const int code = tell(c, s->place, c->turn, s->code);
         pthread_mutex_lock(&c->state);
         s->is_done = c->is_telling = false;
         c->turn++;
@@ -210,7 +216,7 @@ static void end_step(steps_crew *c, void *place, size_t n, int code)
         c->steps[n % PLACES_MAX] = (begun_step){place, code, true};
         tell_in_order(c);
     } else {
-        note(c, code ? code : tell(c, place, n));
+        note(c, c->code ? c->code : tell(c, place, n, code));
         c->spare[c->spares++] = place;
         pthread_cond_signal(&c->has_changed);
     }

@@ -21,6 +21,8 @@ typedef struct crew_work {
     bool (*find)(void *data, void *place, size_t n); /* what step n is about, one thread at a time; false: there is none any more */
     int (*step)(void *data, void *place, size_t n);  /* anything but 0 ends the work */
     int (*tell)(void *data, void *place, size_t n);  /* what step n found, one thread at a time; likewise. NULL: nothing */
+    int (*refuse)(void *data, void *place,
+                  int code); /* what step returned first, to say why and return what crew_do returns; or NULL */
 } crew_work;
 
 /*

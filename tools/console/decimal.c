@@ -17,23 +17,13 @@ static const char *write(double number, int digits, char text[DECIMAL_MAX])
     return text;
 }
 
-const char *decimal_of(float number, char text[DECIMAL_MAX])
+const char *decimal_of(double number, bool is_float, char text[DECIMAL_MAX])
 {
+    const int most = is_float ? 9 : 17;
     int digits;
-    for (digits = 0; digits < 9; digits++) {
-        snprintf(text, DECIMAL_MAX, "%.*e", digits, (double)number);
-        if (strtof(text, NULL) == number)
-            break;
-    }
-    return write((double)number, digits, text);
-}
-
-const char *decimal_of_double(double number, char text[DECIMAL_MAX])
-{
-    int digits;
-    for (digits = 0; digits < 17; digits++) {
+    for (digits = 0; digits < most; digits++) {
         snprintf(text, DECIMAL_MAX, "%.*e", digits, number);
-        if (strtod(text, NULL) == number)
+        if ((is_float ? (double)strtof(text, NULL) : strtod(text, NULL)) == number)
             break;
     }
     return write(number, digits, text);

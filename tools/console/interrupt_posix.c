@@ -121,20 +121,17 @@ void interrupt_release(void)
         raise_waiting();
 }
 
-void interrupt_watch(const char *path)
+static void replace(const char *path, const char *by)
 {
     for (int i = 0; i < WATCHED_MOST; i++)
-        if (!watched[i]) {
-            watched[i] = path;
+        if (watched[i] == path) {
+            watched[i] = by;
             break;
         }
 }
 
-void interrupt_forget(const char *path)
-{
-    for (int i = 0; i < WATCHED_MOST; i++)
-        if (watched[i] == path)
-            watched[i] = NULL;
-}
+void interrupt_watch(const char *path) { replace(NULL, path); }
+
+void interrupt_forget(const char *path) { replace(path, NULL); }
 
 void interrupt_advise(const char *advice) { message_line(line, sizeof line, "interrupted: ", advice); }

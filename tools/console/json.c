@@ -123,7 +123,7 @@ void json_doubles(json *j, const char *key, const double *values, size_t count, 
     char text[DECIMAL_MAX];
     json_open_array(j, key);
     for (size_t i = 0; i < count; i++)
-        put_literal(j, NULL, is_float ? decimal_of((float)values[i], text) : decimal_of_double(values[i], text));
+        put_literal(j, NULL, decimal_of(values[i], is_float, text));
     json_close(j);
 }
 

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "accuracy.h"
 #include "known_word.h"
 #include "message.h"
 #include "output.h"
@@ -62,6 +61,16 @@ static int read_axes(const char *text, unsigned *axes)
     }
 }
 
+static int read_accuracy(const char *text, tribox_accuracy *accuracy)
+{
+    static const tribox_accuracy accuracies[] = {TRIBOX_EXACT, TRIBOX_CONSERVATIVE, TRIBOX_FAST};
+    unsigned n;
+    const int code = choice_read("--accuracy", text, strlen(text), "exact conservative fast", NULL, &n);
+    if (!code)
+        *accuracy = accuracies[n];
+    return code;
+}
+
 static int read_order(const char *text, unsigned *order)
 {
     static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
@@ -89,7 +98,7 @@ static int read_kernel(const char *text, const char **kernel)
 int options_read_test(const char *name, const char *value, tribox_options *test)
 {
     if (!strcmp(name, "accuracy"))
-        return accuracy_read(value, &test->accuracy);
+        return read_accuracy(value, &test->accuracy);
     if (!strcmp(name, "axes"))
         return read_axes(value, &test->axes);
     if (!strcmp(name, "order"))

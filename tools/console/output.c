@@ -5,16 +5,16 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "written_number.h"
+#include "accuracy.h"
 #include "message.h"
 #include "options.h"
+#include "written_number.h"
 
 void output_point(const double point[3], bool is_float, const char *separator)
 {
     for (int a = 0; a < 3; a++) {
         char text[DECIMAL_MAX];
-        const char *const number = is_float ? decimal_of((float)point[a], text) : decimal_of_double(point[a], text);
-        printf("%s%s", a ? separator : "", number);
+        printf("%s%s", a ? separator : "", decimal_of(point[a], is_float, text));
     }
 }
 
@@ -33,23 +33,34 @@ static const char *axes_word(unsigned axes, int i)
     return !axes || axes & bit ? word : NULL;
 }
 
-void output_axes(unsigned axes)
+void output_test(const tribox_options *test)
 {
     const char *separator = "";
+    printf("test         %s, axes ", accuracy_word(test->accuracy));
     for (int i = 0; i < OPTIONS_AXES_GROUPS; i++)
-        if (axes_word(axes, i)) {
-            printf("%s%s", separator, axes_word(axes, i));
+        if (axes_word(test->axes, i)) {
+            printf("%s%s", separator, axes_word(test->axes, i));
             separator = ",";
         }
+    printf(", kernel %s", tribox_kernel_name(test));
 }
 
-void output_json_axes(json *j, unsigned axes)
+void output_json_test(json *j, const tribox_options *test)
 {
+    json_string(j, "accuracy", accuracy_word(test->accuracy));
     json_open_array(j, "axes");
     for (int i = 0; i < OPTIONS_AXES_GROUPS; i++)
-        if (axes_word(axes, i))
-            json_string(j, NULL, axes_word(axes, i));
+        if (axes_word(test->axes, i))
+            json_string(j, NULL, axes_word(test->axes, i));
     json_close(j);
+    json_string(j, "kernel", tribox_kernel_name(test));
+}
+
+void output_shift(const double shift[3])
+{
+    printf("shift        ");
+    output_point(shift, false, ",");
+    putchar('\n');
 }
 
 int output_flush(void)

@@ -11,11 +11,12 @@ void output_point(const double point[3], bool is_float, const char *separator);
 /* Prints a box as --box takes it: LX,LY,LZ,HX,HY,HZ. */
 void output_box(const tribox_box *box, bool is_float);
 
-/* Prints the words of groups of axes, as --axes takes them; axes: as in tribox_options. */
-void output_axes(unsigned axes);
+/* How triangles were tested: a line of a summary but for its end, and members of a JSON object. */
+void output_test(const tribox_options *test);
+void output_json_test(json *j, const tribox_options *test);
 
-/* The same as a member "axes", an array of words. */
-void output_json_axes(json *j, unsigned axes);
+/* What was subtracted from the mesh: a line of a summary. */
+void output_shift(const double shift[3]);
 
 /* Writes out standard output. Returns EXIT_CODE_OK, or EXIT_CODE_FAILURE when anything printed so far was lost. */
 int output_flush(void);

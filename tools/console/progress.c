@@ -15,14 +15,14 @@ static bool is_silent;
 
 void progress_silence(void) { is_silent = true; }
 
-progress progress_start(const char *what, bool is_wanted)
+progress progress_start(const char *what)
 {
-    return (progress){.what = what, .is_wanted = is_wanted && !is_silent && terminal_is(stderr), .start = clock_seconds()};
+    return (progress){.what = what, .is_wanted = !is_silent && terminal_is(stderr), .start = clock_seconds()};
 }
 
-progress progress_start_of(const char *what, const char *unit, double total, bool is_wanted)
+progress progress_start_of(const char *what, const char *unit, double total)
 {
-    progress bar = progress_start(what, is_wanted);
+    progress bar = progress_start(what);
     bar.unit = unit;
     bar.total = total;
     return bar;

@@ -12,14 +12,14 @@ typedef struct progress {
     double start, last; /* seconds of the clock: of the start and of the last drawing, 0 for none */
 } progress;
 
-/* Starts a bar on standard error, which shows nothing unless that is a terminal and is_wanted. */
-/* From now on there are no bars at all. */
+/* From now on there are no bars. */
 void progress_silence(void);
 
-progress progress_start(const char *what, bool is_wanted);
+/* Starts a bar on standard error, which shows nothing unless that is a terminal. */
+progress progress_start(const char *what);
 
 /* The same, which also shows how many of what are done, and how many in a second. */
-progress progress_start_of(const char *what, const char *unit, double total, bool is_wanted);
+progress progress_start_of(const char *what, const char *unit, double total);
 
 /* Shows the share done, 0 to 1, of a `progress`. Cheap enough to be called a thousand times a second, by any thread. */
 void progress_tell(void *bar, double done);

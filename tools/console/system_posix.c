@@ -13,10 +13,15 @@
 
 /* --------------------------------------------------------------------------------------------------------------------- terminal */
 
-/* Bytes are bytes. */
+/* Bytes are bytes. Many partitions are many open files, of which systems often allow more to who asks. */
 char **terminal_begin(int *count, char **words)
 {
+    struct rlimit files;
     (void)count;
+    if (!getrlimit(RLIMIT_NOFILE, &files)) {
+        files.rlim_cur = files.rlim_max;
+        setrlimit(RLIMIT_NOFILE, &files);
+    }
     return words;
 }
 

@@ -8,13 +8,12 @@
 enum { DECIMAL_MAX = 32 }; /* the longest text, with its end */
 
 /*
- * Writes the shortest decimal that reads back as the same float, without an exponent where 1e-5 <= |number| < 1e9: "10", "557820",
- * "1e+10". Returns text.
+ * Writes the shortest decimal that reads back as the same double or, if is_float, the same float, which it then is; without an
+ * exponent where 1e-5 <= |number| < 1e9: "10", "557820", "1e+10". Returns text.
  */
-const char *decimal_of(float number, char text[DECIMAL_MAX]);
+const char *decimal_of(double number, bool is_float, char text[DECIMAL_MAX]);
 
-/* The same for a double. */
-const char *decimal_of_double(double number, char text[DECIMAL_MAX]);
+static inline const char *decimal_of_double(double number, char text[DECIMAL_MAX]) { return decimal_of(number, false, text); }
 
 enum { DURATION_MAX = 32 }; /* the longest text, with its end */
 

@@ -292,7 +292,7 @@ static int keep(crop_files *f)
 
 int crop_write(crop_files *f, const crop_choice *choice, crop_counts counts[CROP_SIDES])
 {
-    progress bar = progress_start("writing", true);
+    progress bar = progress_start("writing");
     crop c = {.path = f->mesh_path, .choice = *choice, .bar = &bar, .to = {f->out[CROP_PART].stream, f->out[CROP_REST].stream}};
     for (int s = 0; s < CROP_SIDES; s++)
         c.buffer[s] = malloc(CROP_BUFFER);

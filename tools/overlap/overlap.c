@@ -6,6 +6,7 @@
 
 #include "console/clock.h"
 #include "console/message.h"
+#include "console/progress.h"
 #include "console/system.h"
 #include "read/mesh_file.h"
 
@@ -203,7 +204,8 @@ static int answer_any(const request *r, crop_files *files)
 int overlap_work(const request *r)
 {
     crop_files files;
-    reading_show(!(r->wants_list && terminal_is(stdout)));
+    if (r->wants_list && terminal_is(stdout)) /* a bar would only be in the way */
+        progress_silence();
     if (!r->crop_paths[CROP_PART] && !r->crop_paths[CROP_REST])
         return answer_any(r, NULL);
     int code = crop_files_open(r->mesh_path, r->format, r->crop_paths, &files);

@@ -10,7 +10,6 @@
 #include "console/message.h"
 #include "overlap.h"
 #include "console/progress.h"
-#include "console/system.h"
 
 /* What a thread works on: as nine streams of floats, or as doubles. */
 typedef struct block {
@@ -155,8 +154,8 @@ static int ask_blocks(stream *s)
                             .find = find_block,
                             .step = ask_block,
                             .tell = tell_block};
-    /* Over a list on the same terminal a bar would only be in the way. */
-    s->bar = progress_start("testing", s->file->promised != UINT64_MAX && !(s->r->wants_list && terminal_is(stdout)));
+    if (s->file->promised != UINT64_MAX)
+        s->bar = progress_start("testing");
     const int code = crew_do(&work, s);
     progress_end(&s->bar);
     return code == (int)MESSAGE_NO_MEMORY ? message_failure("%s: out of memory", s->file->name) : code ? code : s->end_code;

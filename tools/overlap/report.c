@@ -4,7 +4,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "console/accuracy.h"
 #include "console/written_number.h"
 #include "console/message.h"
 #include "console/numbers.h"
@@ -68,11 +67,10 @@ static void print_summary(const request *r, const answer *a)
     printf("mesh         %s\n", r->mesh_path);
     printf("box          ");
     print_box(r, a);
-    if (r->shift.is_wanted) {
-        printf("\nshift        ");
-        output_point(r->shift.by, false, ",");
-    }
-    printf("\ntriangles    %" PRIu64, a->triangles);
+    putchar('\n');
+    if (r->shift.is_wanted)
+        output_shift(r->shift.by);
+    printf("triangles    %" PRIu64, a->triangles);
     if (a->left_out)
         printf(" (and %" PRIu64 " points or lines, left out)", a->left_out);
     printf("\npositions    %s\n", positions_word(a));
@@ -82,10 +80,8 @@ static void print_summary(const request *r, const answer *a)
         print_share("straddling", a, a->overlapping - a->inside);
         print_share("missing", a, a->triangles - a->overlapping);
     }
-    printf("test         %s, axes ", accuracy_word(r->test.accuracy));
-    output_axes(r->test.axes);
-    printf(", kernel %s\n", tribox_kernel_name(&r->test));
-    printf("time         %s, %.2f ns per triangle (the test alone, ", duration_text(a->seconds, text), ns_per_triangle(a));
+    output_test(&r->test);
+    printf("\ntime         %s, %.2f ns per triangle (the test alone, ", duration_text(a->seconds, text), ns_per_triangle(a));
     if (a->total_seconds > 0)
         printf("in blocks; with reading the mesh %s)\n", duration_text(a->total_seconds, text));
     else
@@ -177,9 +173,7 @@ static void print_json_tail(const request *r, answer *a)
         json_whole(j, "missing", a->triangles - a->overlapping);
     }
     json_whole(j, "undecided", a->undecided);
-    json_string(j, "accuracy", accuracy_word(r->test.accuracy));
-    output_json_axes(j, r->test.axes);
-    json_string(j, "kernel", tribox_kernel_name(&r->test));
+    output_json_test(j, &r->test);
     if (r->boxes_path)
         json_string(j, "index", index_words[a->stage]);
     json_whole(j, "runs", (uint64_t)a->runs);

@@ -17,6 +17,8 @@ _Static_assert(sizeof(partition_header) == 176 && sizeof(partition_tile) == 32,
                "these are a file format: they have no padding and do not change");
 
 enum { PATH_BYTES = 4096, TRIANGLE_NUMBERS = 9 };
+static const char *const file_names[] = PARTITION_NAMES;
+static const char no_table[] = "out of memory for the table of tiles";
 
 bool partition_is_folder(const char *path)
 {
@@ -34,35 +36,7 @@ voxels partition_voxels(const partition_header *header)
     return v;
 }
 
-bool partition_is_at_hand(const partition *p) { return !p->pieces && !p->streams[0]; }
-
-static size_t triangle_bytes(const partition *p) { return TRIANGLE_NUMBERS * p->header.position_bytes; }
-
-size_t partition_count(const partition *p, size_t record)
-{
-    const uint64_t end = record + 1 < p->header.records ? p->tiles[record + 1].first : p->header.places;
-    return (size_t)(end - p->tiles[record].first);
-}
-
-const void *partition_triangles(const partition *p, size_t record)
-{
-    return (const unsigned char *)p->triangles.bytes + p->tiles[record].first * triangle_bytes(p);
-}
-
-const uint32_t *partition_numbers(const partition *p, size_t record)
-{
-    return p->header.number_bytes ? (const uint32_t *)p->numbers.bytes + p->tiles[record].first : NULL;
-}
-
-bool partition_is_sound(const partition *p, size_t record)
-{
-    const size_t count = partition_count(p, record);
-    const uint32_t *const numbers = partition_numbers(p, record);
-    uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, partition_triangles(p, record), count * triangle_bytes(p));
-    if (numbers)
-        sum += checksum_bytes(CHECKSUM_EMPTY, numbers, count * sizeof *numbers);
-    return sum == p->tiles[record].checksum;
-}
+static size_t triangle_bytes(const partition_piece *p) { return TRIANGLE_NUMBERS * p->header.position_bytes; }
 
 void partition_copy(void *to, unsigned to_bytes, const void *from, unsigned from_bytes, size_t triangles)
 {
@@ -79,12 +53,12 @@ void partition_copy(void *to, unsigned to_bytes, const void *from, unsigned from
     }
 }
 
-size_t partition_find(const partition_tile *tiles, size_t count, uint64_t tile)
+size_t tile_list_find(const tile_list *l, uint64_t tile)
 {
-    size_t lo = 0, hi = count;
+    size_t lo = 0, hi = l->count;
     while (lo < hi) {
         const size_t middle = lo + (hi - lo) / 2;
-        if (tiles[middle].tile < tile)
+        if (l->tiles[middle].tile < tile)
             lo = middle + 1;
         else
             hi = middle;
@@ -92,54 +66,45 @@ size_t partition_find(const partition_tile *tiles, size_t count, uint64_t tile)
     return lo;
 }
 
-static int refuse(const partition *p, const char *why)
+int tile_list_lay(tile_list *l)
+{
+    l->places = 0;
+    for (size_t r = 0; r < l->count; r++) {
+        const uint64_t triangles = l->tiles[r].first;
+        if (triangles > UINT32_MAX)
+            return message_failure("a tile has %" PRIu64 " triangles, more than 4294967295; choose smaller cells", triangles);
+        l->tiles[r].first = l->places;
+        l->places += triangles;
+    }
+    return EXIT_CODE_OK;
+}
+
+/* -------------------------------------------------------------------------------------------------------------------------- one */
+
+static int refuse(const partition_piece *p, const char *why)
 {
     return message_failure("%s: damaged: %s; make the partition again", p->path, why);
 }
 
-static int name_file(const partition *p, const char *name, char path[PATH_BYTES])
-{
-    return snprintf(path, PATH_BYTES, "%s/%s", p->path, name) < PATH_BYTES ? EXIT_CODE_OK
-                                                                           : message_failure("%s: its name is too long", p->path);
-}
-
-static int map_file(const partition *p, const char *name, file_map *map)
-{
-    char path[PATH_BYTES];
-    if (name_file(p, name, path))
-        return EXIT_CODE_FAILURE;
-    switch (file_map_open(map, path)) {
-    case FILE_MAP_OK:
-        return EXIT_CODE_OK;
-    case FILE_MAP_NOT_OPENED:
-        return message_failure(
-            "%s: cannot open %s in it, so that it is no partition: %s; give a mesh, or what tribox partition wrote", p->path, name,
-            strerror(errno));
-    case FILE_MAP_REFUSED:
-        break;
-    }
-    return message_failure("%s: cannot map %s in it", p->path, name);
-}
-
-static int open_file(partition *p, const char *name, bool is_read, file_map *map, FILE **stream)
+static int open_file(partition_piece *p, partition_file f)
 {
     char path[PATH_BYTES];
     file_about about;
-    if (!is_read)
-        return map_file(p, name, map);
-    if (name_file(p, name, path))
-        return EXIT_CODE_FAILURE;
-    *stream = named_file_open(path, "rb");
-    if (!*stream || !named_file_about_open(*stream, &about))
-        return message_failure("%s: cannot open %s in it: %s", p->path, name, strerror(errno));
-    map->size = (size_t)about.size;
+    if (snprintf(path, sizeof path, "%s/%s", p->path, file_names[f]) >= PATH_BYTES)
+        return message_failure("%s: its name is too long", p->path);
+    p->files[f] = named_file_open(path, "rb");
+    if (!p->files[f] || !named_file_about_open(p->files[f], &about))
+        return message_failure(
+            "%s: cannot open %s in it, so that it is no partition: %s; give a mesh, or what tribox partition wrote", p->path,
+            file_names[f], strerror(errno));
+    p->sizes[f] = about.size;
     return EXIT_CODE_OK;
 }
 
-/* Maps take addresses that a limit of the process may deny to what works on them, and pages count as memory of the process. */
-static bool is_larger(const partition *p, uint64_t bytes)
+static bool read_at(const partition_piece *p, partition_file f, uint64_t at, void *to, size_t bytes)
 {
-    return p->header.places > bytes / (triangle_bytes(p) + p->header.number_bytes);
+    size_t got;
+    return named_file_read_at(p->files[f], at, to, bytes, &got) && got == bytes;
 }
 
 static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
@@ -154,92 +119,110 @@ static bool is_header_sound(const partition_header *header)
            isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && voxels_are_served(&v.grid, NULL);
 }
 
-static int check_header(partition *p)
+/* Reads the records, too. */
+static int read_index(partition_piece *p)
 {
     static const char magic[sizeof p->header.magic] = PARTITION_MAGIC, any_version[] = "tribox tiles ";
-    if (p->index.size < sizeof p->header)
+    const uint64_t size = p->sizes[PARTITION_INDEX];
+    if (!read_at(p, PARTITION_INDEX, 0, &p->header, sizeof p->header))
         return refuse(p, "its index has no whole header");
-    memcpy(&p->header, p->index.bytes, sizeof p->header);
     if (memcmp(p->header.magic, any_version, sizeof any_version - 1))
         return message_failure("%s: not a partition folder; give a mesh, or what tribox partition wrote", p->path);
     if (memcmp(p->header.magic, magic, sizeof magic))
         return refuse(p, "or it is of another version of tribox");
     if (p->header.byte_order != PARTITION_BYTE_ORDER)
         return message_failure("%s: written on a machine of another byte order; make the partition on one like this", p->path);
-    const size_t records = (p->index.size - sizeof p->header) / sizeof(partition_tile);
-    if (records != p->header.records || p->index.size != sizeof p->header + records * sizeof(partition_tile))
+    const size_t records = (size_t)((size - sizeof p->header) / sizeof(partition_tile)), bytes = records * sizeof(partition_tile);
+    if (records != p->header.records || size != sizeof p->header + bytes)
         return refuse(p, "its index has another size than it should");
-    p->tiles = (const partition_tile *)((const unsigned char *)p->index.bytes + sizeof p->header);
+    p->list = (tile_list){malloc(bytes + 1), records, p->header.places};
+    if (!p->list.tiles)
+        return message_failure(no_table);
+    if (!read_at(p, PARTITION_INDEX, sizeof p->header, p->list.tiles, bytes))
+        return refuse(p, "its index cannot be read");
     uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, &p->header, offsetof(partition_header, checksum));
-    sum = checksum_bytes(sum, p->tiles, records * sizeof *p->tiles);
+    sum = checksum_bytes(sum, p->list.tiles, bytes);
     if (sum != p->header.checksum)
         return refuse(p, "the checksum of its index does not match");
     return is_header_sound(&p->header) ? EXIT_CODE_OK : refuse(p, "the header of its index makes no sense");
 }
 
-static int check_records(const partition *p)
+static int check_records(const partition_piece *p)
 {
     const size_t tiles = tribox_tile_count(p->header.size, p->header.tile);
     uint64_t first = 0, work = 0;
-    for (size_t r = 0; r < p->header.records; r++) {
-        const partition_tile *const tile = &p->tiles[r];
-        const uint64_t end = r + 1 < p->header.records ? tile[1].first : p->header.places;
+    for (size_t r = 0; r < p->list.count; r++) {
+        const partition_tile *const tile = &p->list.tiles[r];
+        const uint64_t end = tile_list_start(&p->list, r + 1);
         if (tile->tile >= tiles || (r && tile->tile <= tile[-1].tile) || tile->first != first || end <= first ||
             end - first > UINT32_MAX || tile->work > UINT64_MAX / 2 - work)
             return refuse(p, "the records of its index make no sense");
         first = end;
         work += tile->work;
     }
-    if (first != p->header.places || p->header.places != p->triangles.size / triangle_bytes(p) ||
-        p->triangles.size % triangle_bytes(p))
+    const uint64_t triangles = p->sizes[PARTITION_TRIANGLES];
+    if (first != p->list.places || first != triangles / triangle_bytes(p) || triangles % triangle_bytes(p))
         return refuse(p, "its triangles are not as many as its index says");
-    if (p->header.number_bytes && p->numbers.size != p->header.places * sizeof(uint32_t))
+    if (p->header.number_bytes && p->sizes[PARTITION_NUMBERS] != first * sizeof(uint32_t))
         return refuse(p, "its numbers are not as many as its index says");
     return EXIT_CODE_OK;
 }
 
-static int open_one(partition *p, const char *path, uint64_t memory)
+static int open_piece(partition_piece *p, const char *path)
 {
-    *p = (partition){.path = path};
-    int code = map_file(p, "index", &p->index);
+    *p = (partition_piece){.path = path};
+    int code = open_file(p, PARTITION_INDEX);
     if (!code)
-        code = check_header(p);
-    const bool is_read = !code && memory && is_larger(p, memory / 2);
+        code = read_index(p);
     if (!code)
-        code = open_file(p, "triangles", is_read, &p->triangles, &p->streams[0]);
+        code = open_file(p, PARTITION_TRIANGLES);
     if (!code && p->header.number_bytes)
-        code = open_file(p, "numbers", is_read, &p->numbers, &p->streams[1]);
-    if (!code)
-        code = check_records(p);
-    if (code)
-        partition_close(p);
-    return code;
+        code = open_file(p, PARTITION_NUMBERS);
+    return code ? code : check_records(p);
 }
 
-int partition_open(partition *p, const char *path) { return open_one(p, path, 0); }
-
-void partition_close(partition *p)
+/* Goes on from a sum. */
+static bool add_file(const partition_piece *p, partition_file f, uint64_t at, uint64_t end, uint64_t *sum)
 {
-    for (size_t i = 0; i < p->piece_count; i++)
-        partition_close(&p->pieces[i]);
-    free(p->pieces);
-    free(p->own_tiles);
-    p->pieces = NULL;
-    p->own_tiles = NULL;
-    p->piece_count = 0;
-    file_map_close(&p->index);
-    file_map_close(&p->triangles);
-    file_map_close(&p->numbers);
-    for (int i = 0; i < 2; i++) {
-        if (p->streams[i])
-            fclose(p->streams[i]);
-        p->streams[i] = NULL;
+    unsigned char bytes[1 << 16];
+    uint64_t own = CHECKSUM_EMPTY;
+    for (size_t count; at < end; at += count) {
+        count = end - at < sizeof bytes ? (size_t)(end - at) : sizeof bytes;
+        if (!read_at(p, f, at, bytes, count))
+            return false;
+        own = checksum_bytes(own, bytes, count);
     }
+    *sum += own;
+    return true;
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- several */
+bool partition_is_sound(const partition_piece *p, size_t record)
+{
+    const uint64_t first = tile_list_start(&p->list, record), end = tile_list_start(&p->list, record + 1);
+    const size_t each = triangle_bytes(p), number = p->header.number_bytes;
+    uint64_t sum = 0;
+    return add_file(p, PARTITION_TRIANGLES, first * each, end * each, &sum) &&
+           (!number || add_file(p, PARTITION_NUMBERS, first * number, end * number, &sum)) && sum == p->list.tiles[record].checksum;
+}
 
-static int check_pair(const partition *a, const partition *b)
+/* Floats that are to become doubles are read into the end of their room. */
+static bool read_record(const partition_piece *p, size_t r, unsigned bytes, unsigned char *to, uint32_t *numbers)
+{
+    const size_t count = tile_list_triangles(&p->list, r), own = count * triangle_bytes(p), number = p->header.number_bytes;
+    const uint64_t first = p->list.tiles[r].first;
+    unsigned char *const end = to + count * TRIANGLE_NUMBERS * bytes - own;
+    if (!read_at(p, PARTITION_TRIANGLES, first * triangle_bytes(p), end, own) ||
+        (number && !read_at(p, PARTITION_NUMBERS, first * number, numbers, count * number)))
+        return false;
+    const uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, end, own);
+    if (end != to)
+        partition_copy(to, bytes, end, p->header.position_bytes, count);
+    return sum + (number ? checksum_bytes(CHECKSUM_EMPTY, numbers, count * number) : 0) == p->list.tiles[r].checksum;
+}
+
+/* -------------------------------------------------------------------------------------------------------------------------- all */
+
+static int check_pair(const partition_piece *a, const partition_piece *b)
 {
     const partition_header *const one = &a->header, *const other = &b->header;
     if (one->number_bytes != other->number_bytes)
@@ -262,28 +245,21 @@ int partition_check_numbers(const char *name, uint64_t triangles)
                                  triangles);
 }
 
-/* What the headers of pieces say of all their meshes together; records, places and checksum are left open. */
-static partition_header header_of_all(const partition *pieces, size_t count)
+/* What the headers say of all meshes together; records, places and checksum are left open. */
+static int join_headers(partition *p)
 {
-    partition_header all = pieces[0].header;
-    for (size_t i = 1; i < count; i++) {
-        const partition_header *const one = &pieces[i].header;
-        mesh_sums_add(&all.sums, &one->sums, all.triangles);
-        all.triangles += one->triangles;
-        all.not_finite += one->not_finite;
-        all.position_bytes = one->position_bytes > all.position_bytes ? one->position_bytes : all.position_bytes;
+    partition_header *const all = &p->header;
+    *all = p->pieces[0].header;
+    for (size_t i = 1; i < p->count; i++) {
+        const partition_header *const one = &p->pieces[i].header;
+        if (check_pair(&p->pieces[0], &p->pieces[i]))
+            return EXIT_CODE_FAILURE;
+        mesh_sums_add(&all->sums, &one->sums, all->triangles);
+        all->triangles += one->triangles;
+        all->not_finite += one->not_finite;
+        all->position_bytes = one->position_bytes > all->position_bytes ? one->position_bytes : all->position_bytes;
     }
-    return all;
-}
-
-static int check_alike(const partition *pieces, size_t count)
-{
-    int code = EXIT_CODE_OK;
-    for (size_t i = 1; i < count && !code; i++)
-        code = check_pair(&pieces[0], &pieces[i]);
-    if (!code && pieces[0].header.number_bytes)
-        code = partition_check_numbers("the partitions", header_of_all(pieces, count).triangles);
-    return code;
+    return all->number_bytes ? partition_check_numbers("the partitions", all->triangles) : EXIT_CODE_OK;
 }
 
 static int by_tile(const void *a, const void *b)
@@ -292,119 +268,84 @@ static int by_tile(const void *a, const void *b)
     return (one > other) - (one < other);
 }
 
-/* Records of all pieces, of which those of one tile become one; `first` is a number of triangles until then. */
-static void merge_records(partition *p, size_t count)
+/* Those of one tile become one; `first` is a number of triangles. */
+static void merge_records(tile_list *list)
 {
-    partition_tile *const tiles = p->own_tiles;
+    partition_tile *const tiles = list->tiles;
     size_t records = 0;
-    qsort(tiles, count, sizeof *tiles, by_tile);
-    for (size_t i = 0; i < count; i++)
+    qsort(tiles, list->count, sizeof *tiles, by_tile);
+    for (size_t i = 0; i < list->count; i++)
         if (records && tiles[records - 1].tile == tiles[i].tile) {
             tiles[records - 1].first += tiles[i].first;
             tiles[records - 1].work += tiles[i].work > TILE_WORK ? tiles[i].work - TILE_WORK : 0;
         } else {
             tiles[records++] = tiles[i];
         }
-    p->header.records = records;
-    p->header.places = 0;
-    for (size_t r = 0; r < records; r++) {
-        const uint64_t triangles = tiles[r].first;
-        tiles[r].first = p->header.places;
-        p->header.places += triangles;
-    }
-    p->tiles = tiles;
+    list->count = records;
 }
 
-static int join(partition *p)
+static int join_records(partition *p)
 {
-    size_t count = 0, at = 0;
-    int code = check_alike(p->pieces, p->piece_count);
-    if (code)
-        return code;
-    for (size_t i = 0; i < p->piece_count; i++)
-        count += (size_t)p->pieces[i].header.records;
-    p->own_tiles = malloc((count ? count : 1) * sizeof *p->own_tiles);
-    if (!p->own_tiles)
-        return message_failure("out of memory for the table of tiles");
-    for (size_t i = 0; i < p->piece_count; i++)
-        for (size_t r = 0; r < p->pieces[i].header.records; r++) {
-            p->own_tiles[at] = p->pieces[i].tiles[r];
-            p->own_tiles[at++].first = partition_count(&p->pieces[i], r);
+    size_t count = 0;
+    for (size_t i = 0; i < p->count; i++)
+        count += p->pieces[i].list.count;
+    p->list.tiles = malloc((count + 1) * sizeof *p->list.tiles);
+    if (!p->list.tiles)
+        return message_failure(no_table);
+    for (size_t i = 0; i < p->count; i++)
+        for (size_t r = 0; r < p->pieces[i].list.count; r++) {
+            partition_tile *const own = &p->list.tiles[p->list.count++];
+            *own = p->pieces[i].list.tiles[r];
+            own->first = tile_list_triangles(&p->pieces[i].list, r);
         }
-    p->header = header_of_all(p->pieces, p->piece_count);
-    merge_records(p, count);
-    for (size_t r = 0; r < p->header.records; r++)
-        if ((r + 1 < p->header.records ? p->tiles[r + 1].first : p->header.places) - p->tiles[r].first > UINT32_MAX)
-            return message_failure("a tile has more than 4294967295 triangles; choose smaller cells");
-    return EXIT_CODE_OK;
+    merge_records(&p->list);
+    return tile_list_lay(&p->list);
 }
 
-int partition_open_all(partition *p, const char *const *paths, size_t count, uint64_t memory)
+int partition_open(partition *p, const char *const *paths, size_t count)
 {
-    if (count == 1)
-        return open_one(p, paths[0], memory);
     int code = EXIT_CODE_OK;
-    *p = (partition){.path = paths[0], .pieces = calloc(count, sizeof *p->pieces)};
+    *p = (partition){.pieces = calloc(count, sizeof *p->pieces)};
     if (!p->pieces)
         return message_failure("out of memory for %zu partitions", count);
-    while (!code && p->piece_count < count) {
-        code = open_one(&p->pieces[p->piece_count], paths[p->piece_count], memory);
-        p->piece_count += !code;
+    while (!code && p->count < count) {
+        code = open_piece(&p->pieces[p->count], paths[p->count]);
+        p->count++;
     }
     if (!code)
-        code = join(p);
+        code = join_headers(p);
+    if (!code)
+        code = join_records(p);
     if (code)
         partition_close(p);
     return code;
 }
 
-static bool read_at(FILE *stream, uint64_t at, size_t bytes, void *to)
+void partition_close(partition *p)
 {
-    size_t got;
-    return named_file_read_at(stream, at, to, bytes, &got) && got == bytes;
+    for (size_t i = 0; i < p->count; i++) {
+        for (int f = 0; f < PARTITION_FILES; f++)
+            if (p->pieces[i].files[f])
+                fclose(p->pieces[i].files[f]);
+        free(p->pieces[i].list.tiles);
+    }
+    free(p->pieces);
+    free(p->list.tiles);
 }
 
-/* Floats that are to become doubles are read into the end of their room. */
-static bool read_record(const partition *p, size_t r, unsigned bytes, unsigned char *to, uint32_t *numbers)
-{
-    const size_t count = partition_count(p, r), own = count * triangle_bytes(p), of_numbers = count * p->header.number_bytes;
-    const uint64_t first = p->tiles[r].first;
-    unsigned char *const end = to + count * TRIANGLE_NUMBERS * bytes - own;
-    if (!read_at(p->streams[0], first * triangle_bytes(p), own, end) ||
-        (of_numbers && !read_at(p->streams[1], first * p->header.number_bytes, of_numbers, numbers)))
-        return false;
-    const uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, end, own);
-    if (end != to)
-        partition_copy(to, bytes, end, p->header.position_bytes, count);
-    return sum + (of_numbers ? checksum_bytes(CHECKSUM_EMPTY, numbers, of_numbers) : 0) == p->tiles[r].checksum;
-}
-
-static bool copy_record(const partition *p, size_t r, unsigned bytes, unsigned char *to, uint32_t *numbers)
-{
-    if (p->streams[0])
-        return read_record(p, r, bytes, to, numbers);
-    if (!partition_is_sound(p, r))
-        return false;
-    partition_copy(to, bytes, partition_triangles(p, r), p->header.position_bytes, partition_count(p, r));
-    if (p->header.number_bytes)
-        memcpy(numbers, partition_numbers(p, r), partition_count(p, r) * sizeof *numbers);
-    return true;
-}
-
-bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers)
+bool partition_read(const partition *p, size_t record, void *to, uint32_t *numbers)
 {
     const unsigned bytes = p->header.position_bytes;
+    const uint64_t tile = p->list.tiles[record].tile;
     unsigned char *at = to;
     uint64_t before = 0;
-    if (!p->pieces)
-        return copy_record(p, record, bytes, at, numbers);
-    for (size_t i = 0; i < p->piece_count; before += p->pieces[i++].header.triangles) {
-        const partition *const piece = &p->pieces[i];
-        const size_t records = (size_t)piece->header.records, r = partition_find(piece->tiles, records, p->tiles[record].tile);
-        if (r == records || piece->tiles[r].tile != p->tiles[record].tile)
+    for (size_t i = 0; i < p->count; before += p->pieces[i++].header.triangles) {
+        const partition_piece *const piece = &p->pieces[i];
+        const size_t r = tile_list_find(&piece->list, tile);
+        if (r == piece->list.count || piece->list.tiles[r].tile != tile)
             continue;
-        const size_t count = partition_count(piece, r);
-        if (!copy_record(piece, r, bytes, at, numbers))
+        const size_t count = tile_list_triangles(&piece->list, r);
+        if (!read_record(piece, r, bytes, at, numbers))
             return false;
         at += count * TRIANGLE_NUMBERS * bytes;
         for (size_t t = 0; piece->header.number_bytes && t < count; t++)
@@ -413,19 +354,30 @@ bool partition_gather(const partition *p, size_t record, void *to, uint32_t *num
     return true;
 }
 
-static bool is_all_sound(const partition *p)
+static bool is_all_sound(const partition_piece *p)
 {
     size_t r = 0;
-    while (r < p->header.records && partition_is_sound(p, r))
+    while (r < p->list.count && partition_is_sound(p, r))
         r++;
-    return r == p->header.records;
+    return r == p->list.count;
 }
 
-int partition_refuse_triangles(const partition *p)
+/* The name of a file that others have cut or continued; else NULL. */
+static const char *changed_file(const partition_piece *p)
+{
+    file_about about;
+    for (int f = PARTITION_TRIANGLES; f < PARTITION_FILES; f++)
+        if (p->files[f] && named_file_about_open(p->files[f], &about) && about.size != p->sizes[f])
+            return file_names[f];
+    return NULL;
+}
+
+int partition_refuse_triangles(const partition_piece *pieces, size_t count)
 {
     size_t i = 0;
-    while (i < p->piece_count && (p->pieces[i].streams[0] || is_all_sound(&p->pieces[i])))
+    while (i + 1 < count && is_all_sound(&pieces[i]))
         i++;
-    return message_failure("%s: damaged: the checksum of its triangles does not match; make the partition again",
-                           i < p->piece_count ? p->pieces[i].path : p->path);
+    const char *const changed = changed_file(&pieces[i]);
+    return changed ? message_failure("%s/%s: has changed while it was read; nothing was kept", pieces[i].path, changed)
+                   : refuse(&pieces[i], "the checksum of its triangles does not match");
 }

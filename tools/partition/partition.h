@@ -1,5 +1,5 @@
 /*
- * partition.h - a mesh sorted by the tiles of a grid, as a folder that shards map and read what is theirs of.
+ * partition.h - a mesh sorted by the tiles of a grid, as a folder of which shards read what is theirs.
  *
  * The folder holds two files, or with numbers three, in the byte order of the machine that wrote them:
  *   index      partition_header, 176 bytes, then a partition_tile, 32 bytes, for every tile that has triangles, by rising tile.
@@ -51,33 +51,61 @@ typedef struct partition_tile {
 #define PARTITION_MAGIC "tribox tiles 3\n"
 enum { PARTITION_BYTE_ORDER = 0x01020304 };
 
-/* One that is open, its files mapped or read; or several of one grid, taken as that of all their meshes. */
-typedef struct partition {
-    const char *path; /* of the folder, or of the first */
+/* Its files. */
+typedef enum partition_file { PARTITION_INDEX, PARTITION_TRIANGLES, PARTITION_NUMBERS, PARTITION_FILES } partition_file;
+#define PARTITION_NAMES \
+    { \
+        "index", "triangles", "numbers" \
+    }
+
+/* Records by rising tile, and the triangles of all together. */
+typedef struct tile_list {
+    partition_tile *tiles;
+    size_t count;
+    uint64_t places;
+} tile_list;
+
+/* Where the triangles of record r begin, which is where those before it end. */
+static inline uint64_t tile_list_start(const tile_list *l, size_t r) { return r < l->count ? l->tiles[r].first : l->places; }
+
+/* How many there are. */
+static inline size_t tile_list_triangles(const tile_list *l, size_t r)
+{
+    return (size_t)(tile_list_start(l, r + 1) - tile_list_start(l, r));
+}
+
+/* The first record whose tile is not before this one. */
+size_t tile_list_find(const tile_list *l, uint64_t tile);
+
+/* Makes places of how many triangles each record has, which `first` is until then. Refuses too many. Returns an exit_code. */
+int tile_list_lay(tile_list *l);
+
+/* A folder. */
+typedef struct partition_piece {
+    const char *path;
     partition_header header;
-    const partition_tile *tiles; /* header.records of them */
-    file_map index, triangles, numbers;
-    FILE *streams[2];         /* of triangles and of numbers where these are read: their maps have a size alone */
-    struct partition *pieces; /* NULL for one, whose files these are */
-    size_t piece_count;
-    partition_tile *own_tiles; /* of several, without checksums */
+    tile_list list;
+    FILE *files[PARTITION_FILES]; /* no numbers: NULL */
+    uint64_t sizes[PARTITION_FILES];
+} partition_piece;
+
+/* One, or several of one grid taken as that of all their meshes. */
+typedef struct partition {
+    partition_header header; /* but for records, places and checksum */
+    tile_list list;          /* without checksums */
+    partition_piece *pieces;
+    size_t count;
 } partition;
 
 /* Whether a path is that of a folder, as those of partitions are. */
 bool partition_is_folder(const char *path);
 
-/* Opens a partition and checks its index; triangles are checked tile by tile. Returns an exit_code; on success close it. */
-int partition_open(partition *p, const char *path);
-void partition_close(partition *p);
-
 /*
- * Opens several as one: their grids, shifts and tiles have to be the same. memory: 0, or bytes of which one may map half; triangles
- * of a larger one are left to partition_gather. Returns an exit_code; on success close it.
+ * Opens as many partitions, whose grids, shifts and tiles have to be the same, and checks their indices; triangles are checked tile
+ * by tile. Returns an exit_code; on success close it.
  */
-int partition_open_all(partition *p, const char *const *paths, size_t count, uint64_t memory);
-
-/* Whether the triangles of a record, and their numbers, lie where partition_triangles tells; else they are to be gathered. */
-bool partition_is_at_hand(const partition *p);
+int partition_open(partition *p, const char *const *paths, size_t count);
+void partition_close(partition *p);
 
 /* Refuses more triangles than ids can number. Returns an exit_code. */
 int partition_check_numbers(const char *name, uint64_t triangles);
@@ -85,24 +113,16 @@ int partition_check_numbers(const char *name, uint64_t triangles);
 /* Its grid and shift. */
 voxels partition_voxels(const partition_header *header);
 
-/* How many triangles record `record` has, and, of one partition, where they are. */
-size_t partition_count(const partition *p, size_t record);
-const void *partition_triangles(const partition *p, size_t record);
-const uint32_t *partition_numbers(const partition *p, size_t record); /* NULL where it has none */
+/* Whether the triangles of a record, and their numbers, are those that were written. */
+bool partition_is_sound(const partition_piece *p, size_t record);
 
-/* Whether they are those that were written. */
-bool partition_is_sound(const partition *p, size_t record);
+/* Reads the triangles of a record, and their numbers where it has some. False where some are not what was written. */
+bool partition_read(const partition *p, size_t record, void *to, uint32_t *numbers);
 
-/* Copies the triangles of a record, and their numbers where it has some. False where some are not what was written. */
-bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers);
-
-/* Says which partition, or which of several, has triangles that are not those that were written. Returns EXIT_CODE_FAILURE. */
-int partition_refuse_triangles(const partition *p);
+/* Says which of the pieces has triangles that are not those that were written. Returns EXIT_CODE_FAILURE. */
+int partition_refuse_triangles(const partition_piece *pieces, size_t count);
 
 /* Copies triangles, of floats or doubles, as such; floats may become doubles. */
 void partition_copy(void *to, unsigned to_bytes, const void *from, unsigned from_bytes, size_t triangles);
-
-/* The first of so many rising records whose tile is not before this one. */
-size_t partition_find(const partition_tile *tiles, size_t count, uint64_t tile);
 
 #endif

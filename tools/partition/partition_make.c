@@ -35,39 +35,26 @@ static void fill_header(partition_answer *a, uint32_t tile, unsigned position_by
     memcpy(h->size, a->cells.grid.size, sizeof h->size);
 }
 
-static int write_runs(partition_answer *a, const tile_runs *runs)
-{
-    return tile_write(&a->out, runs, a->r->threads, a->r->is_quiet, &a->header, &a->spilled);
-}
-
 static int refuse_none(const partition_request *r)
 {
     return message_failure("%s: none of %s triangles has finite coordinates", name_of(r), r->count == 1 ? "its" : "their");
 }
 
-static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, uint32_t side)
-{
-    tally found;
-    int code = tile_sort(runs, all, a->r->threads, a->r->is_quiet, &a->out, &found);
-    if (code)
-        return code;
-    mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
-    if (found.not_finite == found.triangles)
-        return refuse_none(a->r);
-    fill_header(a, side, all->write_bytes, &found);
-    return write_runs(a, runs);
-}
-
 static int sort_pieces(partition_answer *a, const pieces *all)
 {
-    const bool has_ids = a->r->has_ids;
-    const uint32_t side = tile_set_side(a->cells.grid.size, has_ids);
+    const partition_request *const r = a->r;
+    const uint32_t side = tile_set_side(a->cells.grid.size, r->has_ids);
+    tally found;
     if (!side)
         return tile_set_refuse_size(a->cells.grid.size);
-    tile_runs *const runs = tile_runs_make(&a->cells.grid, side, has_ids, all->blocks, memory_of(a->r));
-    if (!runs)
-        return EXIT_CODE_FAILURE;
-    const int code = sort_blocks(a, all, runs, side);
+    tile_runs *const runs = tile_runs_make(&a->cells.grid, side, r->has_ids, all->blocks, memory_of(r));
+    int code = runs ? tile_sort(runs, all, r->threads, &a->out, &found) : EXIT_CODE_FAILURE;
+    if (!code) {
+        mesh_warn_not_finite(name_of(r), found.not_finite, found.triangles, found.first_not_finite);
+        fill_header(a, side, all->write_bytes, &found);
+        code =
+            found.not_finite == found.triangles ? refuse_none(r) : tile_write(&a->out, runs, r->threads, &a->header, &a->spilled);
+    }
     tile_runs_free(runs);
     return code;
 }
@@ -81,12 +68,12 @@ static int survey(partition_answer *a, pieces *all)
     if (all->shift.is_auto) {
         const double nothing[3] = {0, 0, 0};
         memcpy(all->shift.by, nothing, sizeof nothing);
-        code = tile_sort_look(all, a->r->threads, a->r->is_quiet, &found);
+        code = tile_sort_look(all, a->r->threads, &found);
         if (!code)
             mesh_shift_choose(&found.bounds, all->shift.by);
     }
     if (!code && (all->shift.is_wanted || !grid_is_fixed(choice)))
-        code = tile_sort_look(all, a->r->threads, a->r->is_quiet, &found);
+        code = tile_sort_look(all, a->r->threads, &found);
     if (code)
         return code;
     if (all->shift.is_wanted && found.fits_float)
@@ -101,7 +88,8 @@ static int survey(partition_answer *a, pieces *all)
 
 static int open_out(partition_answer *a, bool has_ids)
 {
-    return folder_out_open(&a->out, a->r->out_path, a->r->told, PARTITION_NAMES(has_ids));
+    const char *const names[] = PARTITION_NAMES;
+    return folder_out_open(&a->out, a->r->out_path, a->r->told, (const char *[]){names[0], names[1], has_ids ? names[2] : NULL});
 }
 
 static int work_on_pieces(partition_answer *a, pieces *all)
@@ -126,34 +114,19 @@ static int work_on_meshes(partition_answer *a)
     return code;
 }
 
-static int join(partition_answer *a, const partition *all)
-{
-    const partition *const those = all->pieces ? all->pieces : all;
-    uint64_t before = 0;
-    tile_runs *const runs = tile_runs_make(&a->cells.grid, a->header.tile, a->header.number_bytes, a->r->count, memory_of(a->r));
-    if (!runs)
-        return EXIT_CODE_FAILURE;
-    for (size_t i = 0; i < a->r->count; i++) {
-        tile_runs_take(runs, i, &those[i], before);
-        before += those[i].header.triangles;
-    }
-    const int code = write_runs(a, runs);
-    tile_runs_free(runs);
-    return code;
-}
-
 static int work_on_partitions(partition_answer *a)
 {
     partition all;
-    int code = partition_open_all(&all, a->r->paths, a->r->count, 0);
+    int code = partition_open(&all, a->r->paths, a->r->count);
     if (code)
         return code;
     a->header = all.header;
     a->cells = partition_voxels(&a->header);
     a->is_shifted = voxels_are_shifted(&a->cells);
     code = open_out(a, a->header.number_bytes);
-    if (!code)
-        code = join(a, &all);
+    tile_runs *const runs = code ? NULL : tile_runs_of_partition(&all, memory_of(a->r));
+    code = runs ? tile_write(&a->out, runs, a->r->threads, &a->header, &a->spilled) : EXIT_CODE_FAILURE;
+    tile_runs_free(runs);
     partition_close(&all);
     return code;
 }

@@ -13,10 +13,10 @@ typedef struct partition_request {
     uint32_t threads;
     uint64_t memory; /* bytes; 0: a share of what there is */
     const char *out_path;
-    const char *told; /* NULL, or what messages call a partition that is used and dropped, and never kept as out_path */
-    const char *name; /* NULL, or what messages call the mesh */
-    bool has_ids;     /* triangles keep their numbers */
-    bool wants_json, is_quiet;
+    const char *told;          /* NULL, or what messages call a partition that is used and dropped, and never kept as out_path */
+    const char *name;          /* NULL, or what messages call the mesh */
+    bool has_ids;              /* triangles keep their numbers */
+    bool wants_json, is_quiet; /* what is printed of it */
 } partition_request;
 
 typedef struct partition_answer {

@@ -23,8 +23,6 @@
 
 enum { NUMBERS = 9 };
 
-static const char no_table[] = "out of memory for the table of tiles";
-
 /* ------------------------------------------------------------------------------------------------------------------------- runs */
 
 /* Of one thread. The tiles are apart, as they are looked at over and over: pages of a map among triangles would be dear. */
@@ -36,23 +34,23 @@ typedef struct run_file {
 
 /* Triangles as they are in a partition: by rising tile, those of a tile in the order of the mesh. */
 typedef struct tile_run {
-    const partition_tile *tiles; /* whose work is without what a tile costs by itself, and whose checksum is not set */
-    size_t count;
-    uint64_t places;                /* triangles */
+    tile_list list;                 /* whose work is without what a tile costs by itself, and whose checksum is not set */
     const unsigned char *triangles; /* NULL in a file */
     const uint32_t *numbers;        /* of these triangles; NULL where there are none, and in a file */
     uint64_t before;                /* what is added to them */
     unsigned position_bytes;
-    const partition *from; /* NULL, or a partition whose run this is, with work and checksums as there */
-    void *room;            /* NULL, or what tiles and triangles lie in */
-    run_file *file;        /* else the file, and where in it */
-    uint64_t tiles_at, triangles_at;
+    const partition_piece *from; /* NULL, or a partition whose run this is, with work and checksums as there */
+    void *room;                  /* NULL, or what the list and triangles lie in */
+    const run_file *file;        /* NULL, or where the list is */
+    uint64_t tiles_at;
+    FILE *of_triangles, *of_numbers; /* NULL, or the files, and where in them */
+    uint64_t triangles_at, numbers_at;
 } tile_run;
 
 struct tile_runs {
     const tribox_grid *grid;
     uint32_t tile; /* cells along a side */
-    size_t tiles;  /* of the grid */
+    size_t tiles;  /* of the grid; 0 for partitions, which have the list */
     bool has_numbers;
     uint64_t memory; /* bytes that runs, and what it takes to make and to write them, may take */
     tile_run *runs;
@@ -61,27 +59,53 @@ struct tile_runs {
     uint64_t *work;   /* of each tile, without what it costs by itself */
     run_file *files;  /* one for each thread */
     uint64_t spilled; /* bytes */
+    tile_list list;   /* of all runs, where checksums go */
 };
+
+static tile_runs *make_runs(const tile_runs *like)
+{
+    tile_runs *const r = malloc(sizeof *r);
+    if (r) {
+        *r = *like;
+        r->runs = calloc(r->count + 1, sizeof *r->runs);
+        r->counts = calloc(r->tiles + 1, sizeof *r->counts);
+        r->work = calloc(r->tiles + 1, sizeof *r->work);
+        r->files = calloc(THREADS_MAX, sizeof *r->files);
+    }
+    if (r && r->runs && r->counts && r->work && r->files)
+        return r;
+    tile_runs_free(r);
+    return message_failure("out of memory for the table of tiles"), NULL;
+}
 
 tile_runs *tile_runs_make(const tribox_grid *grid, uint32_t tile, bool has_numbers, size_t count, uint64_t memory)
 {
-    const size_t tiles = tribox_tile_count(grid->size, tile);
-    tile_runs *const r = malloc(sizeof *r);
-    if (!r)
-        return message_failure(no_table), NULL;
-    *r = (tile_runs){.grid = grid, .tile = tile, .tiles = tiles, .has_numbers = has_numbers, .count = count, .memory = memory};
-    r->runs = calloc(count ? count : 1, sizeof *r->runs);
-    r->counts = calloc(r->tiles, sizeof *r->counts);
-    r->work = calloc(r->tiles, sizeof *r->work);
-    r->files = calloc(THREADS_MAX, sizeof *r->files);
-    if (r->runs && r->counts && r->work && r->files)
-        return r;
-    tile_runs_free(r);
-    return message_failure(no_table), NULL;
+    return make_runs(&(tile_runs){.grid = grid,
+                                  .tile = tile,
+                                  .tiles = tribox_tile_count(grid->size, tile),
+                                  .has_numbers = has_numbers,
+                                  .count = count,
+                                  .memory = memory});
+}
+
+tile_runs *tile_runs_of_partition(const partition *p, uint64_t memory)
+{
+    uint64_t before = 0;
+    tile_runs *const r = make_runs(&(tile_runs){.count = p->count, .memory = memory, .list = p->list});
+    for (size_t i = 0; r && i < p->count; before += p->pieces[i++].header.triangles)
+        r->runs[i] = (tile_run){.list = p->pieces[i].list,
+                                .before = before,
+                                .position_bytes = p->pieces[i].header.position_bytes,
+                                .from = &p->pieces[i],
+                                .of_triangles = p->pieces[i].files[PARTITION_TRIANGLES],
+                                .of_numbers = p->pieces[i].files[PARTITION_NUMBERS]};
+    return r;
 }
 
 void tile_runs_free(tile_runs *r)
 {
+    if (!r)
+        return;
     for (size_t i = 0; r->runs && i < r->count; i++)
         free(r->runs[i].room);
     for (int f = 0; r->files && f < THREADS_MAX; f++) {
@@ -91,6 +115,8 @@ void tile_runs_free(tile_runs *r)
         if (r->files[f].tiles)
             fclose(r->files[f].tiles);
     }
+    if (r->tiles)
+        free(r->list.tiles);
     free(r->files);
     free(r->runs);
     free(r->counts);
@@ -98,34 +124,29 @@ void tile_runs_free(tile_runs *r)
     free(r);
 }
 
-/* How many triangles of a run are in its tile i. */
-static uint64_t count_of(const tile_run *run, size_t i)
-{
-    return (i + 1 < run->count ? run->tiles[i + 1].first : run->places) - run->tiles[i].first;
-}
-
 static void add_run(tile_runs *r, size_t number, const tile_run *run)
 {
-    const uint64_t beside = run->from ? TILE_WORK : 0;
     r->runs[number] = *run;
-    for (size_t i = 0; i < run->count; i++) {
-        const partition_tile *const tile = &run->tiles[i];
-        r->counts[tile->tile] += count_of(run, i);
-        r->work[tile->tile] += tile->work > beside ? tile->work - beside : 0;
+    for (size_t i = 0; i < run->list.count; i++) {
+        const partition_tile *const tile = &run->list.tiles[i];
+        r->counts[tile->tile] += tile_list_triangles(&run->list, i);
+        r->work[tile->tile] += tile->work;
     }
 }
 
-void tile_runs_take(tile_runs *r, size_t number, const partition *p, uint64_t before)
+/* Once all are there. */
+static int lay_list(tile_runs *r)
 {
-    const tile_run run = {.tiles = p->tiles,
-                          .count = (size_t)p->header.records,
-                          .places = p->header.places,
-                          .triangles = p->triangles.bytes,
-                          .numbers = p->header.number_bytes ? p->numbers.bytes : NULL,
-                          .before = before,
-                          .position_bytes = p->header.position_bytes,
-                          .from = p};
-    add_run(r, number, &run);
+    size_t filled = 0;
+    for (size_t t = 0; t < r->tiles; t++)
+        filled += r->counts[t] != 0;
+    r->list.tiles = malloc((filled + 1) * sizeof *r->list.tiles);
+    if (!r->list.tiles)
+        return message_failure("out of memory for the table of tiles");
+    for (size_t t = 0; t < r->tiles; t++)
+        if (r->counts[t])
+            r->list.tiles[r->list.count++] = (partition_tile){.tile = t, .first = r->counts[t], .work = TILE_WORK + r->work[t]};
+    return tile_list_lay(&r->list);
 }
 
 static FILE *open_stream(const folder_out *out)
@@ -139,7 +160,7 @@ static FILE *open_stream(const folder_out *out)
 /* Puts a run into the file, which is made in the folder if it is not there yet. False with errno. */
 static bool put_run(run_file *file, const folder_out *out, tile_run *run)
 {
-    const size_t places = (size_t)run->places, tiles = run->count * sizeof *run->tiles;
+    const size_t places = (size_t)run->list.places, tiles = run->list.count * sizeof *run->list.tiles;
     const size_t triangles = places * NUMBERS * run->position_bytes, numbers = run->numbers ? places * sizeof *run->numbers : 0;
     if (!file->tiles)
         file->tiles = open_stream(out);
@@ -150,10 +171,13 @@ static bool put_run(run_file *file, const folder_out *out, tile_run *run)
     errno = 0;
     run->file = file;
     run->tiles_at = file->tiles_written;
+    run->of_triangles = run->of_numbers = file->rest;
     run->triangles_at = file->rest_written;
+    run->numbers_at = run->triangles_at + triangles;
     file->tiles_written += tiles;
     file->rest_written += triangles + numbers;
-    return fwrite(run->tiles, 1, tiles, file->tiles) == tiles && fwrite(run->triangles, 1, triangles, file->rest) == triangles &&
+    return fwrite(run->list.tiles, 1, tiles, file->tiles) == tiles &&
+           fwrite(run->triangles, 1, triangles, file->rest) == triangles &&
            (!numbers || fwrite(run->numbers, 1, numbers, file->rest) == numbers);
 }
 
@@ -165,7 +189,7 @@ static int map_files(tile_runs *r, const folder_out *out)
             return message_failure("%s: cannot map what was written beside it", out->path);
     for (size_t i = 0; i < r->count; i++)
         if (r->runs[i].file) {
-            r->runs[i].tiles = (const void *)((const unsigned char *)r->runs[i].file->map.bytes + r->runs[i].tiles_at);
+            r->runs[i].list.tiles = (void *)((unsigned char *)r->runs[i].file->map.bytes + r->runs[i].tiles_at);
             r->runs[i].triangles = NULL;
             r->runs[i].numbers = NULL;
         }
@@ -253,7 +277,6 @@ typedef struct sorting {
     size_t threads;              /* that have begun */
     atomic_uint_fast64_t in_use; /* bytes of runs in memory */
     tally found;
-    int code; /* of the first failure, whose line was said */
 } sorting;
 
 typedef enum trouble { NO_TROUBLE, TROUBLE_MEMORY, TROUBLE_READ, TROUBLE_WRITE, TROUBLE_STATUS } trouble;
@@ -271,8 +294,7 @@ typedef struct block_sort {
     size_t run_bytes; /* of its room */
     piece_block block;
     tally found;
-    trouble trouble;
-    int reason; /* errno, or a status */
+    int reason; /* of a trouble: errno, or a status */
 } block_sort;
 
 /* The layers of tiles along z that bounds may be in, with one to spare on both sides. */
@@ -366,9 +388,7 @@ static tribox_status make_run(block_sort *b, const tribox_tiles *tiles, uint64_t
     partition_tile *const records = (void *)room;
     uint32_t *const numbers = b->s->runs->has_numbers ? (void *)(room + bytes) : NULL;
     unsigned char *at = room + filled * sizeof *records;
-    b->run = (tile_run){.tiles = records,
-                        .count = filled,
-                        .places = places,
+    b->run = (tile_run){.list = {records, filled, places},
                         .triangles = at,
                         .numbers = numbers,
                         .position_bytes = b->s->all->write_bytes,
@@ -393,9 +413,11 @@ static bool place_run(block_sort *b)
     return put_run(b->file, s->out, &b->run);
 }
 
-static trouble sort_block(block_sort *b)
+static int sort_block(void *data, void *place, size_t n)
 {
-    sorting *const s = b->s;
+    const sorting *const s = data;
+    block_sort *const b = place;
+    b->block = pieces_block(s->all, n);
     if (!pieces_read(s->all, &b->block, b->positions))
         return b->reason = errno, TROUBLE_READ;
     b->found = tally_of_block(s->all, &b->block, b->positions, s->runs);
@@ -412,48 +434,35 @@ static trouble sort_block(block_sort *b)
     return place_run(b) ? NO_TROUBLE : (b->reason = errno, TROUBLE_WRITE);
 }
 
-static int sort_step(void *data, void *place, size_t n)
-{
-    const sorting *const s = data;
-    block_sort *const b = place;
-    b->block = pieces_block(s->all, n);
-    b->run = (tile_run){.room = NULL};
-    b->trouble = sort_block(b);
-    return EXIT_CODE_OK; /* the first trouble is told */
-}
-
-static int lack_memory(sorting *s)
+static int lack_memory(const sorting *s)
 {
     return s->runs ? message_failure("out of memory to sort the triangles; give less with --memory, or fewer --threads")
                    : message_failure("out of memory to read the mesh");
 }
 
-static int tell_trouble(sorting *s, const block_sort *b)
+static int tell_trouble(void *data, void *place, int code)
 {
+    sorting *const s = data;
+    const block_sort *const b = place;
     progress_end(&s->bar);
-    return b->trouble == TROUBLE_READ     ? pieces_refuse(b->block.from, b->reason)
-           : b->trouble == TROUBLE_WRITE  ? folder_out_failure(s->out, b->reason)
-           : b->trouble == TROUBLE_STATUS ? message_status((tribox_status)b->reason)
-                                          : lack_memory(s);
+    return code == TROUBLE_READ     ? pieces_refuse(b->block.from, b->reason)
+           : code == TROUBLE_WRITE  ? folder_out_failure(s->out, b->reason)
+           : code == TROUBLE_STATUS ? message_status((tribox_status)b->reason)
+                                    : lack_memory(s);
 }
 
 static int tell_block(void *data, void *place, size_t n)
 {
     sorting *const s = data;
     block_sort *const b = place;
-    void *const room = b->run.room;
-    if (b->trouble && !s->code)
-        s->code = tell_trouble(s, b);
-    if (s->code || b->run.file)
-        b->run.room = NULL;
-    if (!s->code && s->runs) {
-        s->runs->spilled += b->run.file ? b->run_bytes : 0;
+    if (s->runs)
         add_run(s->runs, n, &b->run);
+    if (b->run.file) {
+        s->runs->spilled += b->run_bytes;
+        s->runs->runs[n].room = NULL;
+        free(b->run.room);
     }
-    if (!b->run.room)
-        free(room);
-    if (s->code)
-        return s->code;
+    b->run.room = NULL;
     add_tally(&s->found, &b->found);
     progress_tell(&s->bar, (double)s->found.triangles / (double)s->all->triangles);
     return EXIT_CODE_OK;
@@ -466,6 +475,7 @@ static void free_block(void *place)
     free(b->starts);
     free(b->list);
     free(b->share);
+    free(b->run.room);
     free(b);
 }
 
@@ -488,27 +498,34 @@ static void *make_block(void *data)
     return NULL;
 }
 
-static int walk_blocks(sorting *s, const char *what, unsigned threads, bool is_quiet, tally *found)
+static int walk_blocks(sorting *s, const char *what, unsigned threads, tally *found)
 {
-    const crew_work work = {
-        .count = s->all->blocks, .threads = threads, .begin = make_block, .end = free_block, .step = sort_step, .tell = tell_block};
+    const crew_work work = {.count = s->all->blocks,
+                            .threads = threads,
+                            .begin = make_block,
+                            .end = free_block,
+                            .step = sort_block,
+                            .tell = tell_block,
+                            .refuse = tell_trouble};
     s->found = tally_of_none();
-    s->bar = progress_start_of(what, "triangles", (double)s->all->triangles, !is_quiet);
+    s->bar = progress_start_of(what, "triangles", (double)s->all->triangles);
     const int code = crew_do(&work, s);
     progress_end(&s->bar);
     *found = s->found;
     return code == (int)MESSAGE_NO_MEMORY ? lack_memory(s) : code;
 }
 
-int tile_sort_look(const pieces *all, unsigned threads, bool is_quiet, tally *found)
+int tile_sort_look(const pieces *all, unsigned threads, tally *found)
 {
-    return walk_blocks(&(sorting){.all = all}, "reading", threads, is_quiet, found);
+    return walk_blocks(&(sorting){.all = all}, "reading", threads, found);
 }
 
-int tile_sort(tile_runs *r, const pieces *all, unsigned threads, bool is_quiet, folder_out *out, tally *found)
+int tile_sort(tile_runs *r, const pieces *all, unsigned threads, folder_out *out, tally *found)
 {
-    const int code = walk_blocks(&(sorting){.runs = r, .all = all, .out = out}, "sorting", threads, is_quiet, found);
-    return code ? code : map_files(r, out);
+    int code = walk_blocks(&(sorting){.runs = r, .all = all, .out = out}, "sorting", threads, found);
+    if (!code)
+        code = map_files(r, out);
+    return code ? code : lay_list(r);
 }
 
 /* ---------------------------------------------------------------------------------------------------------------------- writing */
@@ -518,13 +535,12 @@ typedef struct writing {
     folder_out *out;
     const tile_runs *runs;
     const partition_header *header;
-    partition_tile *records; /* of the partition that comes to be: their checksums are set */
-    size_t triangle_bytes;   /* there */
-    size_t room;             /* triangles that a thread has in memory, an even number */
+    tile_list list;        /* that of the runs: checksums are set */
+    size_t triangle_bytes; /* in the file */
+    size_t room;           /* triangles that a thread has in memory, an even number */
     progress bar;
     size_t next;   /* record */
     uint64_t done; /* triangles */
-    int code;      /* of the first failure, whose line was said */
 } writing;
 
 /* What a thread has of some tiles: of all of them, or so much of one that does not fit into the room. */
@@ -535,12 +551,8 @@ typedef struct window {
     unsigned char *bytes, *read;      /* read: for those of a run in a file */
     uint32_t *numbers, *numbers_read; /* the same of numbers; NULL without */
     uint64_t *at;                     /* where the next triangle of each record goes */
-    const tile_run *damaged;          /* NULL, or whose tiles are not what was written */
-    int reason;                       /* else errno, of a read or a write that failed */
+    const partition_piece *damaged;   /* NULL, or whose tiles are not what was written */
 } window;
-
-/* Where a record ends is where the next begins, behind all the last. */
-static uint64_t begin_of(const writing *w, size_t r) { return r < w->header->records ? w->records[r].first : w->header->places; }
 
 static bool find_records(void *data, void *place, size_t n)
 {
@@ -548,7 +560,8 @@ static bool find_records(void *data, void *place, size_t n)
     window *const v = place;
     (void)n;
     v->from = v->to = w->next;
-    while (v->to < w->header->records && (v->to == v->from || begin_of(w, v->to + 1) - begin_of(w, v->from) <= w->room))
+    while (v->to < w->list.count &&
+           (v->to == v->from || tile_list_start(&w->list, v->to + 1) - tile_list_start(&w->list, v->from) <= w->room))
         v->to++;
     w->next = v->to;
     return v->from < v->to;
@@ -571,15 +584,14 @@ typedef struct brought {
 /* They are read if they are in a file. */
 static bool bring(const window *v, const tile_run *run, uint64_t first, size_t count, brought *b)
 {
-    const size_t bytes = NUMBERS * run->position_bytes;
+    const size_t bytes = NUMBERS * run->position_bytes, number = sizeof *v->numbers;
     if (run->triangles) {
         *b = (brought){first, run->triangles + first * bytes, v->numbers ? run->numbers + first : NULL};
         return true;
     }
-    const uint64_t numbers_at = run->triangles_at + run->places * bytes + first * sizeof *v->numbers;
     *b = (brought){first, v->read, v->numbers_read};
-    return read_at(run->file->rest, run->triangles_at + first * bytes, count * bytes, v->read) &&
-           (!v->numbers || read_at(run->file->rest, numbers_at, count * sizeof *v->numbers, v->numbers_read));
+    return read_at(run->of_triangles, run->triangles_at + first * bytes, count * bytes, v->read) &&
+           (!v->numbers || read_at(run->of_numbers, run->numbers_at + first * number, count * number, v->numbers_read));
 }
 
 /* Those from `first` on, to place `place`: as wide, and counted, as they are to be. */
@@ -598,24 +610,24 @@ static uint64_t smallest(uint64_t a, uint64_t b) { return a < b ? a : b; }
 /* What a run has of the window lies there, and is brought, at once. What a partition wrote is looked at before it is copied. */
 static bool copy_run(window *v, const tile_run *run)
 {
-    const partition_tile *const records = v->w->records;
-    const size_t begin = partition_find(run->tiles, run->count, records[v->from].tile);
-    const size_t end = partition_find(run->tiles, run->count, records[v->to - 1].tile + 1);
-    const uint64_t after = end < run->count ? run->tiles[end].first : run->places;
+    const partition_tile *const records = v->w->list.tiles;
+    const size_t begin = tile_list_find(&run->list, records[v->from].tile);
+    const size_t end = tile_list_find(&run->list, records[v->to - 1].tile + 1);
+    const uint64_t after = tile_list_start(&run->list, end);
     brought b = {.triangles = NULL};
     for (size_t i = begin, r = v->from; i < end; i++) {
-        while (records[r].tile < run->tiles[i].tile)
+        while (records[r].tile < run->list.tiles[i].tile)
             r++;
-        const uint64_t place = v->at[r - v->from], next = place + count_of(run, i);
+        const uint64_t place = v->at[r - v->from], next = place + tile_list_triangles(&run->list, i);
         const uint64_t from = greatest(place, v->start), to = smallest(next, v->end);
         v->at[r - v->from] = next;
         if (from >= to)
             continue;
         if (run->from && from == place && !partition_is_sound(run->from, i)) {
-            v->damaged = run;
+            v->damaged = run->from;
             return false;
         }
-        const uint64_t first = run->tiles[i].first + (from - place);
+        const uint64_t first = run->list.tiles[i].first + (from - place);
         if (!b.triangles && !bring(v, run, first, (size_t)smallest(after - first, v->end - from), &b))
             return false;
         copy(v, run, &b, first, (size_t)(to - from), from);
@@ -633,14 +645,15 @@ static void add_sums(const window *v, sums *s)
 {
     writing *const w = v->w;
     for (size_t r = v->from; r < v->to; r++) {
-        const uint64_t first = greatest(begin_of(w, r), v->start), after = smallest(begin_of(w, r + 1), v->end);
+        const uint64_t first = greatest(tile_list_start(&w->list, r), v->start),
+                       after = smallest(tile_list_start(&w->list, r + 1), v->end);
         const size_t from = (size_t)(first - v->start), count = (size_t)(after - first);
-        if (first == w->records[r].first)
+        if (first == w->list.tiles[r].first)
             *s = (sums){CHECKSUM_EMPTY, v->numbers ? CHECKSUM_EMPTY : 0};
         s->triangles = checksum_bytes(s->triangles, v->bytes + from * w->triangle_bytes, count * w->triangle_bytes);
         if (v->numbers)
             s->numbers = checksum_bytes(s->numbers, v->numbers + from, count * sizeof *v->numbers);
-        w->records[r].checksum = s->triangles + s->numbers;
+        w->list.tiles[r].checksum = s->triangles + s->numbers;
     }
 }
 
@@ -650,7 +663,7 @@ static bool write_window(window *v, sums *s)
     const writing *const w = v->w;
     const size_t count = (size_t)(v->end - v->start), each = w->triangle_bytes, number = sizeof *v->numbers;
     for (size_t r = v->from; r < v->to; r++)
-        v->at[r - v->from] = w->records[r].first;
+        v->at[r - v->from] = w->list.tiles[r].first;
     for (size_t i = 0; i < w->runs->count; i++)
         if (!copy_run(v, &w->runs->runs[i]))
             return false;
@@ -664,17 +677,24 @@ static int write_step(void *data, void *place, size_t n)
 {
     const writing *const w = data;
     window *const v = place;
-    const uint64_t end = begin_of(w, v->to);
+    const uint64_t end = tile_list_start(&w->list, v->to);
     sums s = {0, 0};
     bool is_written = true;
     (void)n;
-    for (v->end = begin_of(w, v->from); is_written && v->end < end;) {
+    for (v->end = tile_list_start(&w->list, v->from); is_written && v->end < end;) {
         v->start = v->end;
         v->end = smallest(end, v->start + w->room);
         is_written = write_window(v, &s);
     }
-    v->reason = is_written ? 0 : errno ? errno : EIO;
-    return EXIT_CODE_OK; /* the first failure is told */
+    return is_written ? 0 : errno ? errno : EIO;
+}
+
+static int tell_failure(void *data, void *place, int reason)
+{
+    writing *const w = data;
+    const window *const v = place;
+    progress_end(&w->bar);
+    return v->damaged ? partition_refuse_triangles(v->damaged, 1) : folder_out_failure(w->out, reason);
 }
 
 static int tell_window(void *data, void *place, size_t n)
@@ -682,14 +702,9 @@ static int tell_window(void *data, void *place, size_t n)
     writing *const w = data;
     const window *const v = place;
     (void)n;
-    if (v->reason && !w->code) {
-        progress_end(&w->bar);
-        w->code = v->damaged ? partition_refuse_triangles(v->damaged->from) : folder_out_failure(w->out, v->reason);
-    }
-    w->done += begin_of(w, v->to) - begin_of(w, v->from);
-    if (!w->code)
-        progress_tell(&w->bar, (double)w->done / (double)w->header->places);
-    return w->code;
+    w->done += tile_list_start(&w->list, v->to) - tile_list_start(&w->list, v->from);
+    progress_tell(&w->bar, (double)w->done / (double)w->list.places);
+    return EXIT_CODE_OK;
 }
 
 static void free_window(void *place)
@@ -722,67 +737,43 @@ static void *make_window(void *data)
     return NULL;
 }
 
-/* NULL where there is no memory. */
-static partition_tile *make_records(const tile_runs *runs, partition_header *header)
+static void write_index(folder_out *out, partition_header *header, const tile_list *list)
 {
-    size_t filled = 0, r = 0;
-    for (size_t t = 0; t < runs->tiles; t++)
-        filled += runs->counts[t] != 0;
-    partition_tile *const records = malloc((filled ? filled : 1) * sizeof *records);
-    header->records = filled;
-    header->places = 0;
-    for (size_t t = 0; records && t < runs->tiles; t++)
-        if (runs->counts[t]) {
-            records[r++] = (partition_tile){.tile = t, .first = header->places, .work = TILE_WORK + runs->work[t]};
-            header->places += runs->counts[t];
-        }
-    return records;
-}
-
-static int check_counts(const tile_runs *runs)
-{
-    for (size_t t = 0; t < runs->tiles; t++)
-        if (runs->counts[t] > UINT32_MAX)
-            return message_failure("a tile has %" PRIu64 " triangles, more than 4294967295; choose smaller cells", runs->counts[t]);
-    return EXIT_CODE_OK;
-}
-
-static void write_index(folder_out *out, partition_header *header, const partition_tile *records)
-{
+    header->records = list->count;
+    header->places = list->places;
     header->checksum = checksum_bytes(CHECKSUM_EMPTY, header, offsetof(partition_header, checksum));
-    header->checksum = checksum_bytes(header->checksum, records, (size_t)header->records * sizeof *records);
-    fwrite(header, sizeof *header, 1, out->file[0]);
-    fwrite(records, sizeof *records, (size_t)header->records, out->file[0]);
+    header->checksum = checksum_bytes(header->checksum, list->tiles, list->count * sizeof *list->tiles);
+    fwrite(header, sizeof *header, 1, out->file[PARTITION_INDEX]);
+    fwrite(list->tiles, sizeof *list->tiles, list->count, out->file[PARTITION_INDEX]);
 }
 
-int tile_write(folder_out *out, const tile_runs *runs, unsigned threads, bool is_quiet, partition_header *header, uint64_t *spilled)
+int tile_write(folder_out *out, const tile_runs *runs, unsigned threads, partition_header *header, uint64_t *spilled)
 {
     enum { LEAST = 64 };
     const uint64_t each = 2 * (NUMBERS * header->position_bytes + header->number_bytes) + sizeof(uint64_t);
     const uint64_t most = runs->memory / 4 / threads / each / 2 * 2;
-    writing w = {.out = out, .runs = runs, .header = header, .triangle_bytes = NUMBERS * header->position_bytes};
+    const uint64_t share = runs->list.places / 4 / threads / 2 * 2,
+                   room = share < most ? share : most; /* all have something to do */
+    writing w = {.out = out,
+                 .runs = runs,
+                 .header = header,
+                 .list = runs->list,
+                 .triangle_bytes = NUMBERS * header->position_bytes,
+                 .room = room < LEAST ? LEAST : (size_t)room};
     const crew_work work = {.threads = threads,
                             .begin = make_window,
                             .end = free_window,
                             .find = find_records,
                             .step = write_step,
-                            .tell = tell_window};
+                            .tell = tell_window,
+                            .refuse = tell_failure};
     *spilled = runs->spilled;
-    int code = check_counts(runs);
-    if (code)
-        return code;
-    w.records = make_records(runs, header);
-    if (!w.records)
-        return message_failure(no_table);
-    const uint64_t share = header->places / 4 / threads / 2 * 2, room = share < most ? share : most; /* all have something to do */
-    w.room = room < LEAST ? LEAST : (size_t)room;
-    w.bar = progress_start_of("writing", "triangles", (double)header->places, !is_quiet);
-    code = crew_do(&work, &w);
+    w.bar = progress_start_of("writing", "triangles", (double)w.list.places);
+    int code = crew_do(&work, &w);
     progress_end(&w.bar);
     if (code == (int)MESSAGE_NO_MEMORY)
         code = message_failure("out of memory to write the triangles; give less with --memory, or fewer --threads");
     if (!code)
-        write_index(out, header, w.records);
-    free(w.records);
+        write_index(out, header, &w.list);
     return code;
 }

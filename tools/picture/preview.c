@@ -47,13 +47,13 @@ int preview_read_size(const char *text, picture_look *look)
     return code ? code : numbers_read_whole(cross + 1, "--picture-size, its height", PREVIEW_SIDE_MAX, &look->size[1]);
 }
 
-int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads, bool wants_progress)
+int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads)
 {
     if (!out->stream)
         return EXIT_CODE_OK;
     interrupt_advise("the cells are written, the picture is not; run it again");
     unsigned char *pixels = malloc((size_t)3 * look->size[0] * look->size[1]);
-    progress bar = progress_start("drawing", wants_progress);
+    progress bar = progress_start("drawing");
     const bool is_drawn = pixels && preview_pixels(v, look, threads, pixels, &bar);
     progress_end(&bar);
     int code = is_drawn ? EXIT_CODE_OK : message_failure("out of memory for the preview");

@@ -46,6 +46,6 @@ uint64_t preview_memory(const picture_look *look);
 bool preview_pixels(const voxels *v, const picture_look *look, unsigned threads, unsigned char *pixels, progress *bar);
 
 /* Draws into a file and keeps it; does nothing where none is open. Returns an exit_code. */
-int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads, bool wants_progress);
+int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads);
 
 #endif

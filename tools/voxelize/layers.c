@@ -11,10 +11,80 @@
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "console/crew.h"
 #include "console/system.h"
+#include "tribox_threads.h"
+
+/* ----------------------------------------------------------------------------------------------------------------------- tasks */
+
+voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options)
+{
+    return (voxel_task){.soup = soup, .count = soup->count, .grid = *grid, .options = options};
+}
+
+voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_options *options)
+{
+    return (voxel_task){.mesh = mesh, .count = mesh->count, .grid = *grid, .options = options};
+}
+
+static tribox_soup part_of_soup(const tribox_soup *soup, size_t start, size_t count)
+{
+    tribox_soup part = {.count = count};
+    for (int v = 0; v < 3; v++) {
+        part.x[v] = soup->x[v] + start;
+        part.y[v] = soup->y[v] + start;
+        part.z[v] = soup->z[v] + start;
+    }
+    return part;
+}
+
+static tribox_mesh part_of_mesh(const tribox_mesh *mesh, size_t start, size_t count)
+{
+    tribox_mesh part = *mesh;
+    part.count = count;
+    if (mesh->indices) {
+        part.indices = (const uint32_t *)mesh->indices + 3 * start;
+    } else {
+        part.positions = (const double *)mesh->positions + 9 * start;
+        part.vertices = 3 * count;
+    }
+    return part;
+}
+
+/* Triangles start .. start + count - 1 into these layers, whose words are `occupied`. */
+static tribox_status run_task(const voxel_task *task, size_t start, size_t count, uint32_t first, uint32_t layers,
+                              uint64_t *occupied, tribox_report *report)
+{
+    const tribox_window window = {{0, 0, first}, {task->grid.size[0], task->grid.size[1], layers}};
+    if (task->soup) {
+        const tribox_soup part = part_of_soup(task->soup, start, count);
+        return task->is_thin ? tribox_voxelize_thin(&part, &task->grid, &window, task->options, occupied, report)
+                             : tribox_voxelize(&part, &task->grid, &window, task->options, occupied, report);
+    }
+    const tribox_mesh part = part_of_mesh(task->mesh, start, count);
+    return task->is_thin ? tribox_mesh_voxelize_thin(&part, &task->grid, &window, task->options, occupied, report)
+                         : tribox_mesh_voxelize(&part, &task->grid, &window, task->options, occupied, report);
+}
+
+tribox_status voxel_task_lists(const voxel_task *task, size_t first, size_t count, const tribox_tiles *tiles,
+                               const tribox_options *options, size_t *places, uint32_t *list)
+{
+    return task->soup ? tribox_tile_lists_part(task->soup, first, count, &task->grid, tiles, options, places, list)
+                      : tribox_mesh_tile_lists_part(task->mesh, first, count, &task->grid, tiles, options, places, list);
+}
+
+void voxel_task_triangle(const voxel_task *task, size_t t, double u[3][3])
+{
+    const double *const positions = task->soup ? NULL : task->mesh->positions;
+    const uint32_t *const indices = task->soup ? NULL : task->mesh->indices;
+    for (size_t v = 0; v < 3; v++) {
+        const size_t vertex = indices ? indices[3 * t + v] : 3 * t + v;
+        u[0][v] = positions ? positions[3 * vertex] : (double)task->soup->x[v][t];
+        u[1][v] = positions ? positions[3 * vertex + 1] : (double)task->soup->y[v][t];
+        u[2][v] = positions ? positions[3 * vertex + 2] : (double)task->soup->z[v][t];
+    }
+}
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 
@@ -28,95 +98,65 @@ typedef struct layers_block {
 } layers_block;
 
 /* Nanoseconds, roughly: only their ratio matters to the balance, their size to the number of threads. */
-static const float triangle_cost = 3, row_cost = 3.5F;
-
-/* Floats in the order of integers, which compilers compare many at once: numbers as they are, NaN beyond the infinities. */
-static int32_t key_of(float x)
-{
-    int32_t key;
-    memcpy(&key, &x, sizeof key);
-    return key ^ (key >> 31 & INT32_MAX);
-}
-
-static double number_of(int32_t key, double instead_of_nan)
-{
-    const int32_t bits = key ^ (key >> 31 & INT32_MAX);
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return isnan(x) ? instead_of_nan : (double)x;
-}
-
-static void set_bounds(layers_block *block, const float *const z[3], size_t count)
-{
-    int32_t lo = INT32_MAX, hi = INT32_MIN;
-    for (int v = 0; v < 3; v++) {
-        const float *const from = z[v];
-        for (size_t t = 0; t < count; t++) {
-            const int32_t key = key_of(from[t]);
-            lo = key < lo ? key : lo;
-            hi = key > hi ? key : hi;
-        }
-    }
-    block->lo = number_of(lo, -INFINITY);
-    block->hi = number_of(hi, INFINITY);
-}
+static const double triangle_cost = 3, row_cost = 3.5;
 
 /* Twice the length from the least to the greatest of three numbers. */
-static float twice_extent(float a, float b, float c) { return fabsf(a - b) + fabsf(b - c) + fabsf(c - a); }
+static double twice_extent(const double u[3]) { return fabs(u[0] - u[1]) + fabs(u[1] - u[2]) + fabs(u[2] - u[0]); }
 
-/* Loops without a sum from one triangle to the next are taken many at once. */
-static double work_of(const voxel_task *task, const float *const y[3], const float *const z[3], size_t count)
+/* Of one of these triangles, by every `step`-th of them. */
+static double cost_of(const voxel_task *task, size_t start, size_t count, size_t step)
 {
-    const float across = (float)(0.5 / task->grid.cell[1]), up = (float)(0.5 / task->grid.cell[2]);
-    const float *const y0 = y[0], *const y1 = y[1], *const y2 = y[2], *const z0 = z[0], *const z1 = z[1], *const z2 = z[2];
-    float cost[LAYERS_BLOCK] = {0};
-    for (size_t t = 0; t < count; t++) {
-        const float rows = across * twice_extent(y0[t], y1[t], y2[t]), layers = up * twice_extent(z0[t], z1[t], z2[t]);
-        cost[t] = triangle_cost + row_cost * rows * (1 + layers);
-    }
-    for (size_t half = LAYERS_BLOCK / 2; half; half /= 2)
-        for (size_t t = 0; t < half; t++)
-            cost[t] += cost[t + half];
-    return cost[0] < INFINITY ? (double)cost[0] : (double)triangle_cost * (double)count;
-}
-
-static layers_block block_of(const voxel_task *task, const float *const y[3], const float *const z[3], size_t count)
-{
-    layers_block block = {.nanoseconds = work_of(task, y, z, count)};
-    set_bounds(&block, z, count);
-    return block;
-}
-
-/* Bounds are those of the doubles; the work takes no more than floats. */
-static layers_block block_of_doubles(const voxel_task *task, size_t start, size_t count)
-{
-    float y[3][LAYERS_BLOCK], z[3][LAYERS_BLOCK];
-    double lo = INFINITY, hi = -INFINITY;
-    for (size_t t = 0; t < count; t++) {
+    const double across = 0.5 / task->grid.cell[1], up = 0.5 / task->grid.cell[2];
+    double sum = 0;
+    size_t seen = 0;
+    for (size_t t = 0; t < count; t += step, seen++) {
         double u[3][3];
         voxel_task_triangle(task, start + t, u);
-        for (int v = 0; v < 3; v++) {
-            lo = u[2][v] < lo ? u[2][v] : lo;
-            hi = u[2][v] > hi ? u[2][v] : hi;
-            y[v][t] = (float)u[1][v];
-            z[v][t] = (float)u[2][v];
-        }
+        sum += triangle_cost + row_cost * across * twice_extent(u[1]) * (1 + up * twice_extent(u[2]));
     }
-    layers_block block =
-        block_of(task, (const float *const[3]){y[0], y[1], y[2]}, (const float *const[3]){z[0], z[1], z[2]}, count);
-    block.lo = lo;
-    block.hi = hi;
-    return block;
+    return seen && isfinite(sum) ? sum / (double)seen : triangle_cost;
+}
+
+/* A NaN is passed over. Loops over a fixed number of lanes are taken at once. */
+static void widen_block(const float *z, size_t count, layers_block *block)
+{
+    enum { LANES = 16 };
+    float lo[LANES], hi[LANES];
+    size_t t = 0;
+    for (int l = 0; l < LANES; l++) {
+        lo[l] = INFINITY;
+        hi[l] = -INFINITY;
+    }
+    for (; t + LANES <= count; t += LANES)
+        for (size_t l = 0; l < LANES; l++) {
+            lo[l] = z[t + l] < lo[l] ? z[t + l] : lo[l];
+            hi[l] = z[t + l] > hi[l] ? z[t + l] : hi[l];
+        }
+    for (; t < count; t++) {
+        lo[0] = z[t] < lo[0] ? z[t] : lo[0];
+        hi[0] = z[t] > hi[0] ? z[t] : hi[0];
+    }
+    for (int l = 0; l < LANES; l++) {
+        block->lo = fmin(block->lo, (double)lo[l]);
+        block->hi = fmax(block->hi, (double)hi[l]);
+    }
 }
 
 static layers_block look_at_block(const voxel_task *task, size_t start, size_t count)
 {
-    const tribox_soup *const soup = task->soup;
-    if (!soup)
-        return block_of_doubles(task, start, count);
-    const float *const y[3] = {soup->y[0] + start, soup->y[1] + start, soup->y[2] + start};
-    const float *const z[3] = {soup->z[0] + start, soup->z[1] + start, soup->z[2] + start};
-    return block_of(task, y, z, count);
+    enum { STEP = 16 };
+    layers_block block = {INFINITY, -INFINITY, (double)count * cost_of(task, start, count, STEP)};
+    for (int v = 0; task->soup && v < 3; v++)
+        widen_block(task->soup->z[v] + start, count, &block);
+    for (size_t t = 0; !task->soup && t < count; t++) {
+        double u[3][3];
+        voxel_task_triangle(task, start + t, u);
+        for (int v = 0; v < 3; v++) {
+            block.lo = u[2][v] < block.lo ? u[2][v] : block.lo;
+            block.hi = u[2][v] > block.hi ? u[2][v] : block.hi;
+        }
+    }
+    return block;
 }
 
 /* Without the box axes every cell of every layer is tested against every triangle. */
@@ -126,15 +166,13 @@ static double sample_work(const voxel_task *task)
 {
     enum { BLOCKS = 16, FEW = 16 };
     double sum = 0;
-    size_t seen = 0;
     if (is_everywhere(task->options))
         return (double)task->count * task->grid.size[1] * task->grid.size[2];
     for (size_t b = 0; b < BLOCKS; b++) {
-        const size_t start = task->count / BLOCKS * b, left = task->count - start, count = left < FEW ? left : FEW;
-        sum += look_at_block(task, start, count).nanoseconds;
-        seen += count;
+        const size_t start = task->count / BLOCKS * b;
+        sum += cost_of(task, start, least(task->count - start, FEW), 1);
     }
-    return seen ? sum / (double)seen * (double)task->count : 0;
+    return sum / BLOCKS * (double)task->count;
 }
 
 /* Equal parts of the layers: one layer each, or several. */
@@ -223,7 +261,7 @@ static int set_cells(void *data, void *place, size_t n)
     own_words *const own = place;
     const size_t start = n * job->step, count = least(job->step, job->task->count - start);
     tribox_report found = {0, 0};
-    const tribox_status status = voxel_task_run(job->task, start, count, 0, job->task->grid.size[2], own->words, &found);
+    const tribox_status status = run_task(job->task, start, count, 0, job->task->grid.size[2], own->words, &found);
     add_report(&own->found, found);
     tell(job, count);
     return (int)status;
@@ -350,8 +388,8 @@ static int run_slab(void *data, void *place, size_t n)
         skipped += end - b;
         if (!is_in)
             continue;
-        status = voxel_task_run(job->task, b * LAYERS_BLOCK, block_triangles(job, b, end), from, to - from,
-                                job->occupied + from * job->layer_words, &found);
+        status = run_task(job->task, b * LAYERS_BLOCK, block_triangles(job, b, end), from, to - from,
+                          job->occupied + from * job->layer_words, &found);
         add_report(&job->found[n], found);
         tell(job, skipped);
         skipped = 0;

@@ -50,18 +50,6 @@ void result_guess_up(result_request *r, const char *mesh_path)
     r->look.up = PICTURE_UP_Y;
 }
 
-const char *result_up(const result_request *r)
-{
-    switch (r->up_source) {
-    case RESULT_UP_GIVEN:
-        return preview_up_word(r->look.up);
-    case RESULT_UP_OF_GLTF:
-        return "y, as glTF has it; --up tells otherwise";
-    default:
-        return "z; where the mesh has another, --up tells, as in --up y";
-    }
-}
-
 static int check_stdout(const result_request *r)
 {
     if (!r->format)
@@ -133,5 +121,5 @@ int result_draw(const result_request *r, const voxels *cells, const uint64_t *wo
     voxels v = *cells;
     v.slab = &slab;
     v.slabs = 1;
-    return words ? preview_draw(picture, &v, &r->look, threads, !r->is_quiet) : EXIT_CODE_OK;
+    return words ? preview_draw(picture, &v, &r->look, threads) : EXIT_CODE_OK;
 }

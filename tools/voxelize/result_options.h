@@ -62,9 +62,6 @@ int result_take(result_request *r, int which, const char *value);
 /* Takes y for up where the mesh is glTF by its name, whose specification has it so, and --up is not given. */
 void result_guess_up(result_request *r, const char *mesh_path);
 
-/* Which axis is up, and why, for the summary. */
-const char *result_up(const result_request *r);
-
 /*
  * Refuses a dense format of too many cells, and takes the words of all cells for a picture, zeros; NULL without one. instead,
  * no_picture: what to do. Returns an exit_code.
@@ -88,7 +85,8 @@ int result_check(result_request *r, const options_found *found, const char *what
 void voxelize_print_grid(const voxels *v, bool is_shifted);
 void voxelize_json_grid(json *j, const voxels *v, bool is_shifted);
 
-void voxelize_print_written(const char *path, bool lacks_place);
-void voxelize_print_preview(const char *path, const char *up);
+/* The names of its files, likewise. */
+void result_print(const result_request *r);
+void result_json(json *j, const result_request *r);
 
 #endif

@@ -87,6 +87,7 @@ typedef struct tile_job {
 
 /* A share, and where it is voxelized. */
 typedef struct share {
+    const tile_job *job;
     tile_room *room;
     size_t from, to;
     kept_bricks kept;
@@ -109,6 +110,7 @@ static void *begin_share(void *data)
     share *const s = calloc(1, sizeof *s);
     if (!s)
         return NULL;
+    s->job = j;
     s->kept.most = j->kept_most;
     s->room = tile_room_new(j->set, j->from, j->to);
     if (s->room)
@@ -130,26 +132,19 @@ static bool find_share(void *data, void *place, size_t n)
     return s->to > s->from;
 }
 
-/* A sink that counts what it is handed, and hands it on where there is another. */
-typedef struct counter {
-    const tile_sink *sink;
-    uint64_t bricks;
-} counter;
-
 static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
-    counter *const n = data;
-    n->bricks++;
-    return n->sink ? n->sink->take(n->sink->data, at, bits, ids) : 0;
+    share *const s = data;
+    const tile_sink *const sink = s->job->sink;
+    s->found.bricks++;
+    return sink ? sink->take(sink->data, at, bits, ids) : 0;
 }
 
 /* Straight into the sink, or counted. */
-static int run_at_once(const tile_job *j, share *s)
+static int run_at_once(share *s)
 {
-    counter n = {.sink = j->sink};
-    const tribox_status status = tile_set_run(j->set, s->from, s->to, s->room, &(tile_sink){count_brick, &n}, &s->found.report);
-    s->found.bricks = n.bricks;
-    return (int)status;
+    s->found.bricks = 0;
+    return (int)tile_set_run(s->job->set, s->from, s->to, s->room, &(tile_sink){count_brick, s}, &s->found.report);
 }
 
 static int run_share(void *data, void *place, size_t n)
@@ -157,11 +152,10 @@ static int run_share(void *data, void *place, size_t n)
     const tile_job *const j = data;
     share *const s = place;
     (void)n;
-    s->found = (tile_found){.bricks = 0};
     s->is_kept = !j->is_direct;
     s->kept.count = s->kept.ids_count = 0;
     if (j->is_direct)
-        return run_at_once(j, s);
+        return run_at_once(s);
     const tribox_status status =
         tile_set_run(j->set, s->from, s->to, s->room, &(tile_sink){kept_bricks_take, &s->kept}, &s->found.report);
     s->is_kept = status != TRIBOX_STOPPED;
@@ -174,7 +168,7 @@ static int tell_share(void *data, void *place, size_t n)
 {
     tile_job *const j = data;
     share *const s = place;
-    const int status = j->is_direct ? 0 : s->is_kept ? (int)kept_bricks_hand_on(&s->kept, j->sink) : run_at_once(j, s);
+    const int status = j->is_direct ? 0 : s->is_kept ? (int)kept_bricks_hand_on(&s->kept, j->sink) : run_at_once(s);
     (void)n;
     if (status)
         return status;

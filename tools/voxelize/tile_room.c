@@ -1,4 +1,4 @@
-/* tile_room.c - hands tiles to the library: of a mesh, or of partitions, whose triangles are checked before. */
+/* tile_room.c - hands tiles to the library: of a mesh, or of partitions, whose triangles are read and checked before. */
 #include <stdlib.h>
 
 #include "console/system.h"
@@ -13,7 +13,7 @@ struct tile_room {
     size_t scratch_bytes;
     size_t most;                    /* triangles of a partition at once */
     uint32_t *list;                 /* 0, 1, 2, ... */
-    unsigned char *gathered;        /* of a partition that is not at hand: so many */
+    unsigned char *triangles;       /* so many */
     uint32_t *numbers;              /* theirs, where they have some */
     size_t starts[BATCH_TILES + 1]; /* of the tiles of a batch */
 };
@@ -30,15 +30,14 @@ static bool make_list(const tile_set *set, size_t from, size_t to, tile_room *ro
     for (size_t r = from; r < to; r++)
         if (tile_set_triangles(set, r) > room->most)
             room->most = tile_set_triangles(set, r);
-    const bool is_gathered = !partition_is_at_hand(set->from), has_numbers = is_gathered && set->from->header.number_bytes;
+    const bool has_numbers = set->from->header.number_bytes;
     room->list = malloc(room->most * sizeof *room->list);
     for (size_t i = 0; room->list && i < room->most; i++)
         room->list[i] = (uint32_t)i;
-    if (is_gathered)
-        room->gathered = malloc(room->most * triangle_bytes(set));
+    room->triangles = malloc(room->most * triangle_bytes(set));
     if (has_numbers)
         room->numbers = malloc(room->most * sizeof *room->numbers);
-    return room->list && (room->gathered || !is_gathered) && (room->numbers || !has_numbers);
+    return room->list && room->triangles && (room->numbers || !has_numbers);
 }
 
 tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
@@ -60,7 +59,7 @@ void tile_room_free(tile_room *room)
         return;
     pages_free(room->scratch, room->scratch_bytes);
     free(room->list);
-    free(room->gathered);
+    free(room->triangles);
     free(room->numbers);
     free(room);
 }
@@ -120,7 +119,7 @@ static batch take_batch(const tile_set *set, size_t from, size_t to, const tile_
            b.mesh.count + tile_set_triangles(set, b.to) <= room->most)
         b.mesh.count += tile_set_triangles(set, b.to++);
     b.end = (size_t)set->records[b.to - 1].tile + 1;
-    b.mesh.positions = room->gathered ? room->gathered : partition_triangles(set->from, from);
+    b.mesh.positions = room->triangles;
     b.mesh.vertices = 3 * b.mesh.count;
     b.mesh.position_bytes = set->from->header.position_bytes;
     return b;
@@ -138,23 +137,15 @@ static void set_starts(const tile_set *set, const batch *b, size_t *starts)
     starts[b->end - b->first] = before;
 }
 
-/* Whether all triangles are what they were; those that are not at hand are gathered. */
-static bool check_batch(const tile_set *set, const batch *b, tile_room *room)
+/* False where some are not what they were. */
+static bool read_batch(const tile_set *set, const batch *b, tile_room *room)
 {
-    unsigned char *at = room->gathered;
-    uint32_t *numbers = room->numbers;
-    bool is_sound = true;
-    for (size_t r = b->from; r < b->to && is_sound; r++) {
-        if (!at) {
-            is_sound = partition_is_sound(set->from, r);
-            continue;
-        }
-        is_sound = partition_gather(set->from, r, at, numbers);
-        at += tile_set_triangles(set, r) * triangle_bytes(set);
-        if (numbers)
-            numbers += tile_set_triangles(set, r);
-    }
-    return is_sound;
+    size_t before = 0, r = b->from;
+    for (; r < b->to; before += tile_set_triangles(set, r++))
+        if (!partition_read(set->from, r, room->triangles + before * triangle_bytes(set),
+                            room->numbers ? room->numbers + before : NULL))
+            return false;
+    return true;
 }
 
 static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, const tile_sink *to, tribox_report *report)
@@ -162,10 +153,10 @@ static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *r
     const tribox_tiles tiles = {set->tile, b->first, b->end - b->first};
     tile_sink own = *to;
     set_starts(set, b, room->starts);
-    if (!check_batch(set, b, room))
+    if (!read_batch(set, b, room))
         return TRIBOX_BAD_VERTEX;
     if (set->task.has_ids) {
-        ids_taker taker = {to, room->numbers ? room->numbers : partition_numbers(set->from, b->from)};
+        ids_taker taker = {to, room->numbers};
         return tribox_mesh_bricks_ids(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch,
                                       &(tribox_ids_sink){take_ids, &taker}, report);
     }

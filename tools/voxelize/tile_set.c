@@ -50,7 +50,8 @@ static void share_work(const tile_set *set, uint32_t *share)
         }
 }
 
-bool tile_work_estimate(const tile_set *set, partition_tile *records)
+/* False where there is no memory. */
+static bool estimate_work(const tile_set *set, partition_tile *records)
 {
     uint32_t *const share = calloc(set->task.count, sizeof *share);
     if (!share)
@@ -138,23 +139,16 @@ static tribox_status list_all(listing *l, unsigned threads, size_t *starts)
     return l->list ? list_runs(l, threads) : MESSAGE_NO_MEMORY;
 }
 
-static void tile_listing_free(uint32_t *list, size_t count) { pages_free(list, count * sizeof *list); }
-
-/*
- * starts: those of all tiles, written. list: to be freed where the status is TRIBOX_OK, with its length, the last of the starts.
- * Fails as tribox_tile_lists, or with MESSAGE_NO_MEMORY.
- */
-static tribox_status tile_listing_make(const voxel_task *task, const tribox_tiles *tiles, const tribox_options *options,
-                                       unsigned threads, size_t *starts, uint32_t **list)
+/* Fails as tribox_tile_lists, or with MESSAGE_NO_MEMORY. */
+static tribox_status make_lists(tile_set *set, unsigned threads)
 {
-    listing l = {.task = task, .tiles = tiles, .options = options, .runs = runs_for(task, tiles, threads)};
-    l.places = pages_take(l.runs * tiles->count * sizeof *l.places);
-    const tribox_status status = l.places ? list_all(&l, threads, starts) : MESSAGE_NO_MEMORY;
-    pages_free(l.places, l.runs * tiles->count * sizeof *l.places);
-    if (status && l.list)
-        tile_listing_free(l.list, starts[tiles->count]);
-    else
-        *list = l.list;
+    const tribox_tiles all = {set->tile, 0, set->tiles};
+    listing l = {.task = &set->task, .tiles = &all, .options = &set->listing, .runs = runs_for(&set->task, &all, threads)};
+    l.places = pages_take(l.runs * all.count * sizeof *l.places);
+    const tribox_status status = l.places ? list_all(&l, threads, set->starts) : MESSAGE_NO_MEMORY;
+    pages_free(l.places, l.runs * all.count * sizeof *l.places);
+    set->list = l.list;
+    set->places = l.list ? set->starts[set->tiles] : 0;
     return status;
 }
 
@@ -192,15 +186,12 @@ static void *take(size_t count, size_t size, const char *what)
 
 static int list_triangles(tile_set *set, unsigned threads)
 {
-    const tribox_tiles all = {set->tile, 0, set->tiles};
     set->starts = take(set->tiles + 1, sizeof *set->starts, "table of tiles");
     if (!set->starts)
         return EXIT_CODE_FAILURE;
-    const tribox_status status = tile_listing_make(&set->task, &all, &set->listing, threads, set->starts, &set->list);
-    if (status == MESSAGE_NO_MEMORY)
-        return message_failure("out of memory for the list of triangles by tile");
-    set->places = status ? 0 : set->starts[set->tiles];
-    return message_status(status);
+    const tribox_status status = make_lists(set, threads);
+    return status == MESSAGE_NO_MEMORY ? message_failure("out of memory for the list of triangles by tile")
+                                       : message_status(status);
 }
 
 static int make_records(tile_set *set, bool has_work)
@@ -215,7 +206,7 @@ static int make_records(tile_set *set, bool has_work)
         if (set->starts[t] < set->starts[t + 1])
             set->own_records[set->count++] = (partition_tile){.tile = t, .first = set->starts[t]};
     set->records = set->own_records;
-    return !has_work || tile_work_estimate(set, set->own_records) ? EXIT_CODE_OK : message_failure("out of memory for the shards");
+    return !has_work || estimate_work(set, set->own_records) ? EXIT_CODE_OK : message_failure("out of memory for the shards");
 }
 
 int tile_set_of_task(const voxel_task *task, bool has_work, unsigned threads, tile_set *set)
@@ -240,16 +231,15 @@ tile_set tile_set_of_partition(const partition *from, const voxel_task *task)
     return (tile_set){.task = *task,
                       .tile = from->header.tile,
                       .tiles = tribox_tile_count(from->header.size, from->header.tile),
-                      .records = from->tiles,
-                      .count = from->header.records,
-                      .places = from->header.places,
+                      .records = from->list.tiles,
+                      .count = from->list.count,
+                      .places = from->list.places,
                       .from = from};
 }
 
 void tile_set_free(tile_set *set)
 {
-    if (set->list)
-        tile_listing_free(set->list, set->starts[set->tiles]);
+    pages_free(set->list, set->list ? set->starts[set->tiles] * sizeof *set->list : 0);
     free(set->starts);
     free(set->own_records);
     *set = (tile_set){.tile = 0};

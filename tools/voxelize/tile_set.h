@@ -92,7 +92,4 @@ enum { TILE_WORK = 62000 };
  */
 uint64_t tile_work_of(const tribox_grid *grid, uint32_t side, const double u[9], uint32_t tiles);
 
-/* Writes the work of the set's own records, which have lists. False where there is no memory. */
-bool tile_work_estimate(const tile_set *set, partition_tile *records);
-
 #endif

@@ -8,7 +8,7 @@
 #include "tribox.h"
 
 typedef struct voxel_task {
-    const tribox_soup *soup; /* NULL: the mesh counts, whose indices have 32 bits */
+    const tribox_soup *soup; /* NULL: the mesh counts, of doubles one after the other and indices of 32 bits */
     const tribox_mesh *mesh;
     size_t count; /* of the triangles */
     tribox_grid grid;
@@ -19,10 +19,6 @@ typedef struct voxel_task {
 
 voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options);
 voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_options *options);
-
-/* Triangles start .. start + count - 1 into these layers, whose words are `occupied`. */
-tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count, uint32_t first, uint32_t layers,
-                             uint64_t *occupied, tribox_report *report);
 
 /* tribox_tile_lists_part of these triangles. */
 tribox_status voxel_task_lists(const voxel_task *task, size_t first, size_t count, const tribox_tiles *tiles,

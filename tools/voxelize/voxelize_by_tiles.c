@@ -62,7 +62,7 @@ static part_header header_of(const tile_job *j)
 /* The surface alone. */
 static tribox_status run_surface(const tile_job *j, const tile_sink *sink, voxelize_answer *a)
 {
-    progress bar = progress_start_of("voxelizing", "tiles", (double)(j->to - j->from), !j->r->result.is_quiet);
+    progress bar = progress_start_of("voxelizing", "tiles", (double)(j->to - j->from));
     tile_found found;
     const tribox_status status = tile_crew_run(j->set, j->from, j->to, j->r->threads, sink, &bar, &found);
     progress_end(&bar);
@@ -84,7 +84,7 @@ static int take_filled(void *data, const uint32_t at[3], const uint64_t bits[8],
 /* With its inside. Parity asks for the mesh, of which a partition has what is in the grid. */
 static tribox_status run_filled(const tile_job *j, const filled_sink *sink, voxelize_answer *a)
 {
-    progress bar = progress_start("filling", !j->r->result.is_quiet);
+    progress bar = progress_start("filling");
     tribox_box bounds = {{0, 0, 0}, {0, 0, 0}};
     const bool is_parity = j->r->fill != FILL_OUTSIDE && mesh_bounds(j->in->mesh, &bounds);
     const double along[2] = {bounds.lo[0], bounds.hi[0]};
@@ -110,7 +110,7 @@ static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
     if (goals->code)
         return goals->code;
     if (status == TRIBOX_BAD_VERTEX && j->in->partition)
-        return partition_refuse_triangles(j->in->partition);
+        return partition_refuse_triangles(j->in->partition->pieces, j->in->partition->count);
     return message_status(status);
 }
 
@@ -129,7 +129,7 @@ static int run_to_file(const tile_job *j, voxelize_files *files, brick_goals *go
     goals->file = &out;
     code = run_crew(j, goals, a);
     if (!code) {
-        progress bar = progress_start("writing", !j->r->result.is_quiet);
+        progress bar = progress_start("writing");
         code = brick_out_end(&out, &bar);
         progress_end(&bar);
     }
@@ -154,45 +154,38 @@ static int run_job(const tile_job *j, voxelize_files *files, voxelize_answer *a)
     return code;
 }
 
-static int run_set(const voxelize_request *r, const voxelize_input *in, const tile_set *set, voxelize_files *files,
-                   voxelize_answer *a)
+/* Of a partition the triangles come with the tiles. FILL_MIDDLES asks for no cells of the surface. */
+static int make_set(const voxelize_request *r, const voxelize_input *in, tile_set *set)
 {
-    tile_job j = {.r = r, .in = in, .set = set};
-    tile_set_shard(set, r->shard, r->shards, &j.from, &j.to);
-    j.from_tile = tile_set_border(set, j.from);
-    j.to_tile = r->shard == r->shards ? set->tiles : tile_set_border(set, j.to);
-    a->tile = set->tile;
-    a->from_tile = j.from_tile;
-    a->tiles = j.to_tile - j.from_tile;
-    return run_job(&j, files, a);
-}
-
-static int run_task(const voxelize_request *r, const voxelize_input *in, const voxel_task *task, voxelize_files *files,
-                    voxelize_answer *a)
-{
-    tile_set set;
+    const tribox_soup nothing = {.count = 0};
+    voxel_task task = voxelize_task(r, in);
+    task.has_ids = r->result.options.has_ids;
     if (in->partition) {
-        set = tile_set_of_partition(in->partition, task);
-    } else {
-        const tribox_soup nothing = {.count = 0};
-        const voxel_task no_surface = voxel_task_of_soup(&nothing, &task->grid, task->options);
-        const int code = tile_set_of_task(r->fill == FILL_MIDDLES ? &no_surface : task, r->shards > 1, r->threads, &set);
-        if (code)
-            return code;
-        set.task = *task;
+        *set = tile_set_of_partition(in->partition, &task);
+        return EXIT_CODE_OK;
     }
-    const int code = run_set(r, in, &set, files, a);
-    tile_set_free(&set);
+    const voxel_task no_surface = voxel_task_of_soup(&nothing, &task.grid, task.options);
+    const int code = tile_set_of_task(r->fill == FILL_MIDDLES ? &no_surface : &task, r->shards > 1, r->threads, set);
+    set->task = task;
     return code;
 }
 
-/* Of a partition the triangles come with the tiles. */
 int voxelize_by_tiles(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
     const double start = clock_seconds();
-    voxel_task task = voxelize_task(r, in);
-    task.has_ids = r->result.options.has_ids;
-    const int code = run_task(r, in, &task, files, a);
+    tile_set set;
+    int code = make_set(r, in, &set);
+    if (code)
+        return code;
+    tile_job j = {.r = r, .in = in, .set = &set};
+    tile_set_shard(&set, r->shard, r->shards, &j.from, &j.to);
+    j.from_tile = tile_set_border(&set, j.from);
+    j.to_tile = r->shard == r->shards ? set.tiles : tile_set_border(&set, j.to);
+    a->tile = set.tile;
+    a->from_tile = j.from_tile;
+    a->tiles = j.to_tile - j.from_tile;
+    code = run_job(&j, files, a);
+    tile_set_free(&set);
     a->seconds = clock_seconds() - start;
     return code;
 }

@@ -4,7 +4,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "console/accuracy.h"
 #include "console/written_number.h"
 #include "console/output.h"
 #include "voxelize_work.h"
@@ -41,11 +40,8 @@ void voxelize_print_grid(const voxels *v, bool is_shifted)
     else
         printf("%.6g x %.6g x %.6g", grid->cell[0], grid->cell[1], grid->cell[2]);
     printf(", from %.6g,%.6g,%.6g\n", grid->origin[0], grid->origin[1], grid->origin[2]);
-    if (!is_shifted)
-        return;
-    printf("shift        ");
-    output_point(v->shift, false, ",");
-    putchar('\n');
+    if (is_shifted)
+        output_shift(v->shift);
 }
 
 void voxelize_json_grid(json *j, const voxels *v, bool is_shifted)
@@ -60,14 +56,35 @@ void voxelize_json_grid(json *j, const voxels *v, bool is_shifted)
         json_doubles(j, "shift", v->shift, 3, false);
 }
 
-void voxelize_print_written(const char *path, bool lacks_place)
+static const char *up_text(const result_request *r)
 {
-    printf("written      %s\n", path);
-    if (lacks_place)
-        printf("place        not in the file: keep origin and cell, which --json prints with all digits\n");
+    switch (r->up_source) {
+    case RESULT_UP_GIVEN:
+        return preview_up_word(r->look.up);
+    case RESULT_UP_OF_GLTF:
+        return "y, as glTF has it; --up tells otherwise";
+    default:
+        return "z; where the mesh has another, --up tells, as in --up y";
+    }
 }
 
-void voxelize_print_preview(const char *path, const char *up) { printf("preview      %s\nup           %s\n", path, up); }
+void result_print(const result_request *r)
+{
+    if (r->out_path)
+        printf("written      %s\n", r->out_path);
+    if (r->out_path && !volume_holds(r->format, "place"))
+        printf("place        not in the file: keep origin and cell, which --json prints with all digits\n");
+    if (r->preview_path)
+        printf("preview      %s\nup           %s\n", r->preview_path, up_text(r));
+}
+
+void result_json(json *j, const result_request *r)
+{
+    if (r->out_path)
+        json_string(j, "output", r->out_path);
+    if (r->preview_path)
+        json_string(j, "preview", r->preview_path);
+}
 
 /* Which cells of a fill the file has. */
 static const char *cells_word(const voxelize_answer *a)
@@ -113,14 +130,10 @@ static void print_summary(const voxelize_answer *a)
         printf(", tiles of %u", a->tile);
     if (a->has_bricks)
         putchar('\n');
-    printf("test         %s, axes ", accuracy_word(r->test.accuracy));
-    output_axes(r->test.axes);
-    printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&r->test), r->threads, r->threads == 1 ? "" : "s");
+    output_test(&r->test);
+    printf(", %u thread%s\n", r->threads, r->threads == 1 ? "" : "s");
     print_time(a);
-    if (r->result.out_path)
-        voxelize_print_written(r->result.out_path, !volume_holds(r->result.format, "place"));
-    if (r->result.preview_path)
-        voxelize_print_preview(r->result.preview_path, result_up(&r->result));
+    result_print(&r->result);
 }
 
 static void print_json(const voxelize_answer *a)
@@ -161,16 +174,11 @@ static void print_json(const voxelize_answer *a)
     if (a->has_bricks)
         json_whole(&j, "bricks", a->bricks);
     json_whole(&j, "undecided", a->report.undecided);
-    json_string(&j, "accuracy", accuracy_word(r->test.accuracy));
-    output_json_axes(&j, r->test.axes);
-    json_string(&j, "kernel", tribox_kernel_name(&r->test));
+    output_json_test(&j, &r->test);
     json_whole(&j, "threads", r->threads);
     json_number(&j, "seconds", 6, a->seconds);
     json_number(&j, "ns_per_triangle", 6, ns_per_triangle(a));
-    if (r->result.out_path)
-        json_string(&j, "output", r->result.out_path);
-    if (r->result.preview_path)
-        json_string(&j, "preview", r->result.preview_path);
+    result_json(&j, &r->result);
     json_close(&j);
 }
 

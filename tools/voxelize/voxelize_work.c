@@ -2,14 +2,18 @@
 #define _POSIX_C_SOURCE 200809L
 #include "voxelize_work.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "console/interrupt.h"
 #include "console/message.h"
 #include "console/system.h"
-#include "sort_first.h"
+#include "files/files.h"
+#include "partition/partition_make.h"
+#include "read/mesh_file.h"
 
 /*
  * Whether all cells at once take less time than tile by tile, and are the same: up to 2 MB of bits, which a core has at hand, and
@@ -76,16 +80,14 @@ static void advise(const voxelize_request *r)
 
 static int open_files(const voxelize_request *r, const voxelize_input *in, voxelize_answer *a)
 {
-    voxelize_files files;
+    voxelize_files files = {.out = {.path = NULL}};
     advise(r);
     int code = file_out_open(&files.out, r->result.out_path);
-    if (code)
-        return code;
-    code = file_out_open(&files.picture, r->result.preview_path);
-    if (!code) {
+    if (!code)
+        code = file_out_open(&files.picture, r->result.preview_path);
+    if (!code)
         code = answer(r, in, &files, a);
-        file_out_drop(&files.picture);
-    }
+    file_out_drop(&files.picture);
     file_out_drop(&files.out);
     return code;
 }
@@ -134,7 +136,7 @@ static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_inp
 static int work_on_partition(const voxelize_request *r, const char *const *paths, size_t count, voxelize_answer *a)
 {
     partition p;
-    int code = partition_open_all(&p, paths, count, r->memory ? r->memory : memory_available());
+    int code = partition_open(&p, paths, count);
     if (code)
         return code;
     const voxelize_input in = {.partition = &p, .cells = partition_voxels(&p.header)};
@@ -144,16 +146,142 @@ static int work_on_partition(const voxelize_request *r, const char *const *paths
     a->is_shifted = r->from.shift.is_wanted || voxels_are_shifted(&in.cells);
     if (r->result.options.has_ids && !p.header.number_bytes)
         code = message_failure("%s: has no numbers of its triangles; make it with 'tribox partition --ids', or leave out --ids",
-                               p.path);
+                               paths[0]);
     if (!code)
         code = open_files(r, &in, a);
     partition_close(&p);
     return code;
 }
 
+/* ------------------------------------------------------------------------------------------------------------------ sorted first */
+
+/* Where the triangles of a mesh that is larger than memory are sorted into a partition that is gone when it was used. */
+typedef struct sorted_place {
+    const voxelize_request *r;
+    char path[4096], told[4200];
+    folder_out pipe; /* the triangles of a pipe, until they are sorted */
+    partition_answer made;
+} sorted_place;
+
+/* Tiles have exact cells, and lack what is asked of the mesh itself. */
+bool voxelize_can_sort(const voxelize_request *r)
+{
+    return !r->has_colours && !r->is_thin && (r->fill == FILL_NONE || r->fill == FILL_OUTSIDE) &&
+           r->test.accuracy == TRIBOX_EXACT && (!r->test.axes || r->test.axes == TRIBOX_AXES_ALL);
+}
+
+/* Some of what is there is left to the cells. */
+static uint64_t memory_of(const voxelize_request *r) { return r->memory ? r->memory : memory_available() / 4 * 3; }
+
+/* The mesh and its lists. The two numbers for PLY, whose faces are as short as three bytes a vertex and a list, are bounds. */
+static uint64_t bytes_of(const triangle_file *file, uint64_t size, bool is_shifted)
+{
+    enum { LISTS = 8, NUMBERS = 9, OF_PLY = 4, OF_SHIFTED_PLY = 10 };
+    const uint64_t number = file->format == TRIANGLES_F64 ? sizeof(double) : sizeof(float);
+    return file->stream ? file->promised * (NUMBERS * number + LISTS + (is_shifted ? NUMBERS * sizeof(double) : 0))
+                        : size * (is_shifted ? OF_SHIFTED_PLY : OF_PLY);
+}
+
+/* Whether a file is larger than memory is to hold, and can be sorted. A pipe would lose what is looked at. Returns an exit_code. */
+static int find_whether_due(const voxelize_request *r, bool *is_due)
+{
+    const char *const path = r->from.mesh_path;
+    file_about about;
+    triangle_file file;
+    *is_due = false;
+    if (!voxelize_can_sort(r) || file_out_is_stdout(path) || !named_file_about(path, &about) || about.kind != FILE_KIND_REGULAR)
+        return EXIT_CODE_OK;
+    const int code = triangle_file_open(path, r->from.format, &file);
+    if (!code && (file.stream || mesh_is_binary_ply(path)))
+        *is_due = bytes_of(&file, about.size, r->from.shift.is_wanted) > memory_of(r);
+    triangle_file_close(&file);
+    return code;
+}
+
+/* TMPDIR, or beside the file that is written, or where the system has such. To be freed; NULL without memory. */
+static char *choose_folder(const voxelize_request *r)
+{
+    const char *const chosen = getenv("TMPDIR"), *const out = r->result.out_path;
+    if ((chosen && *chosen) || !out || file_out_is_stdout(out))
+        return new_file_passing_folder();
+    const size_t length = named_file_folder(out);
+    char *const folder = malloc(length + sizeof ".");
+    if (folder)
+        snprintf(folder, length + sizeof ".", "%.*s%s", (int)length, out, length ? "" : ".");
+    return folder;
+}
+
+static int name_place(sorted_place *p, const voxelize_request *r)
+{
+    char *const folder = choose_folder(r);
+    if (!folder)
+        return message_failure("out of memory");
+    const bool fits = snprintf(p->path, sizeof p->path, "%s/tribox.tiles", folder) < (int)sizeof p->path;
+    snprintf(p->told, sizeof p->told, "the temporary partition in %s (TMPDIR names the folder)", folder);
+    if (fits && !r->result.is_quiet)
+        message_say("note: %s: larger than the memory for it, so its triangles are sorted into a temporary partition in %s",
+                    triangle_file_name(r->from.mesh_path), folder);
+    free(folder);
+    return fits ? EXIT_CODE_OK : message_failure("%s: its name is too long", p->told);
+}
+
+/* Of a pipe. */
+static int put(void *data, bool is_double, const void *bytes, size_t size)
+{
+    sorted_place *const p = data;
+    int code = *p->path ? EXIT_CODE_OK : name_place(p, p->r);
+    if (!code && !p->pipe.beside)
+        code = folder_out_open(&p->pipe, p->path, p->told,
+                               (const char *const[FOLDER_FILES]){is_double ? "triangles.f64" : "triangles.f32"});
+    errno = 0;
+    return code || fwrite(bytes, 1, size, p->pipe.file[0]) == size ? code : folder_out_failure(&p->pipe, errno);
+}
+
+/* Of a pipe this is found while it is read. The place is made, and to be dropped. */
+static mesh_overflow overflow_into(const voxelize_request *r, sorted_place *p)
+{
+    enum { OF_SHIFTED = 3 }; /* which become doubles */
+    *p = (sorted_place){.r = r};
+    return (mesh_overflow){.memory = memory_of(r) / (r->from.shift.is_wanted ? OF_SHIFTED : 1), .put = put, .data = p};
+}
+
+static int sort_pipe(sorted_place *p, partition_request *want)
+{
+    const int code = folder_out_finish(&p->pipe);
+    want->from.mesh_path = p->pipe.name[0];
+    want->from.format = TRIANGLES_OTHER; /* its name has it */
+    return code;
+}
+
+/* Sorts the file, or what came of the pipe: the partition is made.out.beside. Returns an exit_code; dropping is due in any case. */
+static int sort_mesh(sorted_place *p)
+{
+    const voxelize_request *const r = p->r;
+    int code = *p->path ? EXIT_CODE_OK : name_place(p, r);
+    partition_request want = {.from = r->from,
+                              .count = 1,
+                              .threads = r->threads,
+                              .memory = r->memory,
+                              .out_path = p->path,
+                              .told = p->told,
+                              .name = triangle_file_name(r->from.mesh_path),
+                              .has_ids = r->result.options.has_ids};
+    if (!code && p->pipe.beside)
+        code = sort_pipe(p, &want);
+    want.paths = &want.from.mesh_path;
+    p->made = (partition_answer){.r = &want};
+    if (!code)
+        code = partition_make(&p->made);
+    p->made.r = NULL;
+    folder_out_drop(&p->pipe);
+    return code;
+}
+
+/* ----------------------------------------------------------------------------------------------------------------------- all */
+
 static int work_sorted(const voxelize_request *r, sorted_place *place, voxelize_answer *a)
 {
-    const int code = sort_first(place);
+    const int code = sort_mesh(place);
     return code ? code : work_on_partition(r, (const char *const[]){place->made.out.beside}, 1, a);
 }
 
@@ -173,13 +301,14 @@ static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
     mesh m;
     mesh_shift shift = r->from.shift;
     sorted_place place;
-    mesh_overflow over = sort_first_overflow(r, &place);
-    int code = sort_first_is_due(r, &over.is_used);
+    mesh_overflow over = overflow_into(r, &place);
+    int code = find_whether_due(r, &over.is_used);
     if (!code && !over.is_used)
-        code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, sort_first_can(r) ? &over : NULL, &m);
+        code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, voxelize_can_sort(r) ? &over : NULL, &m);
     if (!code)
         code = over.is_used ? work_sorted(r, &place, a) : work_in_memory(r, &m, &shift, a);
-    sort_first_drop(&place);
+    folder_out_drop(&place.made.out);
+    folder_out_drop(&place.pipe);
     return code;
 }
 

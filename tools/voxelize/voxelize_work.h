@@ -71,6 +71,9 @@ int voxelize_by_tiles(const voxelize_request *r, const voxelize_input *in, voxel
 /* Prints the answer and flushes the output. Returns an exit_code. */
 int voxelize_report(const voxelize_answer *a);
 
+/* Whether the answer would be the same of a mesh that is sorted into a partition first. */
+bool voxelize_can_sort(const voxelize_request *r);
+
 /* From the mesh to the files and the summary. Returns an exit_code. */
 int voxelize_work(const voxelize_request *request);
 
