@@ -552,7 +552,8 @@ class Partitions(Voxels):
                      ("voxelize", apart[1], *["--ids"] * not_index,
                       *(("-o", x) if not_index else ("--count",))))
             if not_index:
-                each("the checksum of its triangles does not match", ("partition", *apart, "-m", "1000", "-o", x),
+                each(os.path.basename(apart[1]) + ": damaged: the checksum of its triangles does not match",
+                     ("partition", *apart, "-m", "1000", "-o", x),
                      ("voxelize", *apart, "--ids", "-o", x))
                 self.write(path, whole[:-4])
                 each("its %s are not as many as its index says" % name)

@@ -2,9 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "overlap.h"
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,8 +9,6 @@
 #include "console/crew.h"
 #include "console/system.h"
 #include "console/message.h"
-#include "read/mesh.h"
-#include "tribox.h"
 #include "tribox_threads.h"
 
 /* ----------------------------------------------------------------------------------------------------------------------- shares */

@@ -35,26 +35,17 @@ asked_triangles triangles_of_mesh(const mesh *m)
     return (asked_triangles){.count = m->triangles, .is_double = m->is_double, .soup = m->soup, .doubles = m->doubles};
 }
 
-static tribox_status ask_doubles(const request *r, const tribox_mesh *doubles, const masks *bits, const tribox_box *box,
-                                 tribox_report *report)
-{
-    if (r->wants_inside)
-        return tribox_mesh_classify(doubles, box, &r->test, bits->overlap, bits->inside, report);
-    return tribox_mesh_overlap(doubles, box, &r->test, bits->overlap, report);
-}
-
 static tribox_status ask(const request *r, const asked_triangles *t, const masks *bits, const tribox_box *box,
                          tribox_report *report)
 {
-    if (r->has_oriented && t->is_double)
-        return tribox_mesh_overlap_oriented(&t->doubles, &r->oriented, &r->test, bits->overlap, report);
     if (r->has_oriented)
-        return tribox_overlap_oriented(&t->soup, &r->oriented, &r->test, bits->overlap, report);
-    if (t->is_double)
-        return ask_doubles(r, &t->doubles, bits, box, report);
+        return t->is_double ? tribox_mesh_overlap_oriented(&t->doubles, &r->oriented, &r->test, bits->overlap, report)
+                            : tribox_overlap_oriented(&t->soup, &r->oriented, &r->test, bits->overlap, report);
     if (r->wants_inside)
-        return tribox_classify(&t->soup, box, &r->test, bits->overlap, bits->inside, report);
-    return tribox_overlap(&t->soup, box, &r->test, bits->overlap, report);
+        return t->is_double ? tribox_mesh_classify(&t->doubles, box, &r->test, bits->overlap, bits->inside, report)
+                            : tribox_classify(&t->soup, box, &r->test, bits->overlap, bits->inside, report);
+    return t->is_double ? tribox_mesh_overlap(&t->doubles, box, &r->test, bits->overlap, report)
+                        : tribox_overlap(&t->soup, box, &r->test, bits->overlap, report);
 }
 
 /* In parts, since the library counts up to 2^32 bits at once. */

@@ -46,7 +46,7 @@ static int sort_pieces(partition_answer *a, const pieces *all)
     const uint32_t side = tile_set_side(a->cells.grid.size, r->has_ids);
     tally found;
     if (!side)
-        return tile_set_refuse_size(a->cells.grid.size);
+        return EXIT_CODE_FAILURE;
     tile_runs *const runs = tile_runs_make(&a->cells.grid, side, r->has_ids, all->blocks, memory_of(r));
     int code = runs ? tile_sort(runs, all, r->threads, &a->out, &found) : EXIT_CODE_FAILURE;
     if (!code) {

@@ -23,11 +23,6 @@ voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, 
     return (voxel_task){.soup = soup, .count = soup->count, .grid = *grid, .options = options};
 }
 
-voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_options *options)
-{
-    return (voxel_task){.mesh = mesh, .count = mesh->count, .grid = *grid, .options = options};
-}
-
 static tribox_soup part_of_soup(const tribox_soup *soup, size_t start, size_t count)
 {
     tribox_soup part = {.count = count};

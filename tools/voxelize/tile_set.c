@@ -7,9 +7,7 @@
 #include <string.h>
 
 #include "console/crew.h"
-#include "console/system.h"
 #include "console/message.h"
-#include "voxel_task.h"
 
 /* ------------------------------------------------------------------------------------------------------------ what a tile costs */
 
@@ -159,13 +157,10 @@ uint32_t tile_set_side(const uint32_t size[3], bool has_ids)
     uint32_t side = has_ids ? SIDE_IDS : SIDE;
     while (side <= SIDE_MOST && tribox_tile_count(size, side) > tiles_most)
         side *= 2;
-    return side <= SIDE_MOST ? side : 0;
-}
-
-int tile_set_refuse_size(const uint32_t size[3])
-{
-    return message_failure("a grid of %u x %u x %u cells is too large even for tiles; choose fewer cells", size[0], size[1],
-                           size[2]);
+    if (side <= SIDE_MOST)
+        return side;
+    message_failure("a grid of %u x %u x %u cells is too large even for tiles; choose fewer cells", size[0], size[1], size[2]);
+    return 0;
 }
 
 /* Memory for `count` things of `size` bytes, if so much is available. NULL after a line. */
@@ -216,7 +211,7 @@ int tile_set_of_task(const voxel_task *task, bool has_work, unsigned threads, ti
     const bool is_exact = has_work || task->options->accuracy != TRIBOX_EXACT;
     set->listing.accuracy = is_exact ? TRIBOX_EXACT : TRIBOX_CONSERVATIVE;
     if (!set->tile)
-        return tile_set_refuse_size(task->grid.size);
+        return EXIT_CODE_FAILURE;
     set->tiles = tribox_tile_count(task->grid.size, set->tile);
     int code = list_triangles(set, threads);
     if (!code)

@@ -25,11 +25,8 @@ typedef struct tile_set {
     partition_tile *own_records;
 } tile_set;
 
-/* Cells along a side of a tile: few enough for the caches, and so many that the tiles can be numbered. 0: there are too many. */
+/* Cells along a side of a tile, few enough for the caches, or so many that tiles can be numbered. 0 after a line: too many. */
 uint32_t tile_set_side(const uint32_t size[3], bool has_ids);
-
-/* The line for a grid of more. Returns EXIT_CODE_FAILURE. */
-int tile_set_refuse_size(const uint32_t size[3]);
 
 /* Sorts the triangles of a task. has_work: whether the records need their work. Returns an exit_code; on success free it. */
 int tile_set_of_task(const voxel_task *task, bool has_work, unsigned threads, tile_set *set);

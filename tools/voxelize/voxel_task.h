@@ -18,7 +18,6 @@ typedef struct voxel_task {
 } voxel_task;
 
 voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options);
-voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_options *options);
 
 /* tribox_tile_lists_part of these triangles. */
 tribox_status voxel_task_lists(const voxel_task *task, size_t first, size_t count, const tribox_tiles *tiles,

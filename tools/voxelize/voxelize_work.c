@@ -40,10 +40,13 @@ static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in)
 {
     static const tribox_soup nothing = {.count = 0};
-    const tribox_grid *const grid = &in->cells.grid;
-    if (in->mesh && in->mesh->is_double)
-        return voxel_task_of_mesh(&in->mesh->doubles, grid, &r->test);
-    return voxel_task_of_soup(in->mesh ? &in->mesh->soup : &nothing, grid, &r->test);
+    voxel_task task = voxel_task_of_soup(in->mesh ? &in->mesh->soup : &nothing, &in->cells.grid, &r->test);
+    if (in->mesh && in->mesh->is_double) {
+        task.soup = NULL;
+        task.mesh = &in->mesh->doubles;
+        task.count = task.mesh->count;
+    }
+    return task;
 }
 
 void voxelize_note_rows(size_t odd_rows, voxelize_answer *a)
@@ -116,10 +119,10 @@ static int check_opened(const result_request *result, const char *opened)
     return code;
 }
 
-static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_input *in, voxelize_answer *a)
+static int work_in_memory(const voxelize_request *r, const mesh *m, const mesh_shift *shift, voxelize_answer *a)
 {
     const char *const name = triangle_file_name(r->from.mesh_path);
-    in->mesh = m;
+    voxelize_input in = {.mesh = m};
     int code = check_opened(&r->result, m->opened);
     if (code)
         return code;
@@ -127,10 +130,13 @@ static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_inp
     a->triangles = m->triangles;
     a->not_finite = m->not_finite;
     a->is_double = m->is_double;
+    a->is_shifted = shift->is_wanted;
+    if (shift->is_wanted)
+        memcpy(in.cells.shift, shift->by, sizeof shift->by);
     code = r->result.options.has_ids ? partition_check_numbers(name, m->triangles) : EXIT_CODE_OK;
     if (!code)
-        code = grid_choose(&r->from.choice, name, m, &in->cells.grid);
-    return code ? code : r->has_colours ? work_on_colours(r, in, a) : open_files(r, in, a);
+        code = grid_choose(&r->from.choice, name, m, &in.cells.grid);
+    return code ? code : r->has_colours ? work_on_colours(r, &in, a) : open_files(r, &in, a);
 }
 
 static int work_on_partition(const voxelize_request *r, const char *const *paths, size_t count, voxelize_answer *a)
@@ -153,7 +159,7 @@ static int work_on_partition(const voxelize_request *r, const char *const *paths
     return code;
 }
 
-/* ------------------------------------------------------------------------------------------------------------------ sorted first */
+/* ----------------------------------------------------------------------------------------------------------------- sorted first */
 
 /* Where the triangles of a mesh that is larger than memory are sorted into a partition that is gone when it was used. */
 typedef struct sorted_place {
@@ -245,14 +251,6 @@ static mesh_overflow overflow_into(const voxelize_request *r, sorted_place *p)
     return (mesh_overflow){.memory = memory_of(r) / (r->from.shift.is_wanted ? OF_SHIFTED : 1), .put = put, .data = p};
 }
 
-static int sort_pipe(sorted_place *p, partition_request *want)
-{
-    const int code = folder_out_finish(&p->pipe);
-    want->from.mesh_path = p->pipe.name[0];
-    want->from.format = TRIANGLES_OTHER; /* its name has it */
-    return code;
-}
-
 /* Sorts the file, or what came of the pipe: the partition is made.out.beside. Returns an exit_code; dropping is due in any case. */
 static int sort_mesh(sorted_place *p)
 {
@@ -266,8 +264,11 @@ static int sort_mesh(sorted_place *p)
                               .told = p->told,
                               .name = triangle_file_name(r->from.mesh_path),
                               .has_ids = r->result.options.has_ids};
-    if (!code && p->pipe.beside)
-        code = sort_pipe(p, &want);
+    if (!code && p->pipe.beside) {
+        code = folder_out_finish(&p->pipe);
+        want.from.mesh_path = p->pipe.name[0];
+        want.from.format = TRIANGLES_OTHER; /* its name has it */
+    }
     want.paths = &want.from.mesh_path;
     p->made = (partition_answer){.r = &want};
     if (!code)
@@ -277,23 +278,12 @@ static int sort_mesh(sorted_place *p)
     return code;
 }
 
-/* ----------------------------------------------------------------------------------------------------------------------- all */
+/* -------------------------------------------------------------------------------------------------------------------------- all */
 
 static int work_sorted(const voxelize_request *r, sorted_place *place, voxelize_answer *a)
 {
     const int code = sort_mesh(place);
     return code ? code : work_on_partition(r, (const char *const[]){place->made.out.beside}, 1, a);
-}
-
-static int work_in_memory(const voxelize_request *r, mesh *m, const mesh_shift *shift, voxelize_answer *a)
-{
-    voxelize_input in = {.mesh = NULL};
-    a->is_shifted = shift->is_wanted;
-    if (shift->is_wanted)
-        memcpy(in.cells.shift, shift->by, sizeof shift->by);
-    const int code = work_with_mesh(r, m, &in, a);
-    mesh_free(m);
-    return code;
 }
 
 static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
@@ -305,8 +295,12 @@ static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
     int code = find_whether_due(r, &over.is_used);
     if (!code && !over.is_used)
         code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, voxelize_can_sort(r) ? &over : NULL, &m);
-    if (!code)
-        code = over.is_used ? work_sorted(r, &place, a) : work_in_memory(r, &m, &shift, a);
+    if (!code && over.is_used) {
+        code = work_sorted(r, &place, a);
+    } else if (!code) {
+        code = work_in_memory(r, &m, &shift, a);
+        mesh_free(&m);
+    }
     folder_out_drop(&place.made.out);
     folder_out_drop(&place.pipe);
     return code;
