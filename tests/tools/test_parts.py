@@ -367,10 +367,11 @@ class Partitions(Voxels):
         for ids in ((), ("--ids",)):
             names = ("index", "triangles", "numbers")[:2 + len(ids)]
             pieces = [self.mesh_of(some, "piece%d" % n) for n, some in enumerate(np.array_split(self.triangles, 3))]
-            apart, whole = [self.partition(piece, *GRID, *ids, names=names)[2]
-                            for piece in pieces], self.partition(self.mesh, *GRID, *ids, names=names)[0]
+            apart = [self.partition(piece, *GRID, *ids, names=names)[2] for piece in pieces]
+            whole, _, folder = self.partition(self.mesh, *GRID, *ids, names=names)
             for memory in ("1000", "1G"):
                 self.assertEqual(self.partition(*apart, "-m", memory, names=names)[0], whole)
+            self.assertEqual(self.out("voxelize", *apart, *ids), self.out("voxelize", folder, *ids))
 
     def sorted_first(self, where, *words, ending=".npz", **how):
         """What voxelize writes with little memory, which it says, after it did so with enough; the same."""
