@@ -256,8 +256,6 @@ typedef struct masks {
     size_t words;
 } masks;
 
-size_t score_unlike(const score *s) { return s->of_all.missed + s->of_all.untrue; }
-
 static bool fail(const contestant *one, const char *what, char wrong[VERIFY_TEXT])
 {
     snprintf(wrong, VERIFY_TEXT, "%s: %s", one->name, what);
@@ -485,9 +483,7 @@ size_t measure_wins(const samples *taken, size_t of, size_t to)
 size_t measure_disturbed(const samples *taken)
 {
     size_t disturbed = 0;
-    for (size_t c = 0; c < taken->contestants; c++) {
-        const spread s = measure_spread(taken, c);
-        disturbed += s.median > 1.1 * s.least;
-    }
+    for (size_t c = 0; c < taken->contestants; c++)
+        disturbed += measure_spread(taken, c).median > 1.1 * measure_least(taken, c);
     return disturbed;
 }

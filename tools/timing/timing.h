@@ -130,10 +130,8 @@ typedef struct score {
     answer_errors of_all;      /* against EXACT on all axes */
 } score;
 
-/* Answers that are not those of EXACT on all axes. */
-size_t score_unlike(const score *s);
+static inline size_t score_unlike(const score *s) { return s->of_all.missed + s->of_all.untrue; }
 
-/* Where the truth comes from. */
 typedef struct truth {
     bool (*find)(const void *question, unsigned axes, uint64_t *mask); /* false if it fails */
     const void *question;
@@ -170,7 +168,6 @@ typedef struct samples {
 /* mask: room for the answer of any of them. */
 void measure(const contestant *list, size_t count, effort how, generator *order, uint64_t *mask, samples *taken);
 
-/* Contestants, what they answered, and their times. */
 typedef struct contest {
     size_t count;
     contestant list[CONTESTANTS_MAX];
