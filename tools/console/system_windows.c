@@ -62,6 +62,7 @@ static void prepare_streams(void)
     FILE *const streams[] = {stdin, stdout, stderr};
     for (int i = 0; i < 3; i++)
         _setmode(_fileno(streams[i]), _O_BINARY);
+    _setmaxstdio(2048); /* many partitions are many open files */
     setvbuf(stderr, lines, _IOFBF, sizeof lines); /* or each byte is written by itself, half a letter at times */
     if (!terminal_is(stdout) && !terminal_is(stderr))
         return;
