@@ -1,18 +1,20 @@
 /*
- * crop.c - refuses what cannot be written as it was, before a long mesh is read; writes, binary STL and raw triangles by itself;
- * and keeps the files when all are done.
+ * crop.c - refuses what cannot be written as it was, before a long mesh is read; writes binary STL and raw triangles, record by
+ * record, and what scan.h reads, item by item: as they are, but for the numbers of vertices, textures and normals, which are those
+ * that are used, and for their counts; and keeps the files when all are done.
  */
 #include "crop.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console/interrupt.h"
 #include "console/message.h"
-#include "files/files.h"
+#include "console/progress.h"
 #include "read/little.h"
-#include "tribox.h"
+#include "read/scan.h"
 
 static const char *const options[CROP_SIDES] = {"-o", "--rest"};
 
@@ -93,22 +95,82 @@ void crop_files_drop(crop_files *f)
         file_out_drop(&f->out[s]);
 }
 
-void crop_begin(crop *c)
+/* Numbers of vertices, some of which are kept: those get numbers from 0, in the same order. */
+typedef struct kept_numbers {
+    struct {
+        uint64_t bits, before; /* of 64 numbers those that are kept; and how many are before them */
+    } * rows;
+    uint64_t count, kept;
+} kept_numbers;
+
+/* Of `count` numbers none is kept yet. Returns an exit_code. */
+static int kept_numbers_make(const char *path, uint64_t count, kept_numbers *k)
 {
-    c->next = 0;
-    c->pass++;
+    k->count = count;
+    k->rows = count <= UINT32_MAX ? calloc((size_t)(count / 64) + 1, sizeof *k->rows) : NULL;
+    return k->rows ? EXIT_CODE_OK : message_failure("%s: out of memory for the numbers of %" PRIu64 " vertices", path, count);
 }
+
+/* To be called between the last that is added and the first that is asked for. */
+static void kept_numbers_count(kept_numbers *k)
+{
+    for (uint64_t r = 0; r < k->count / 64 + 1; r++) {
+        k->rows[r].before = k->kept;
+        k->kept += (unsigned)__builtin_popcountll(k->rows[r].bits);
+    }
+}
+
+/* The new number of one that is kept. */
+static uint64_t kept_numbers_new(const kept_numbers *k, uint64_t number)
+{
+    const uint64_t below = k->rows[number / 64].bits & ((UINT64_C(1) << number % 64) - 1);
+    return k->rows[number / 64].before + (unsigned)__builtin_popcountll(below);
+}
+
+static void kept_numbers_add(kept_numbers *k, uint64_t number) { k->rows[number / 64].bits |= UINT64_C(1) << number % 64; }
+
+static bool kept_numbers_has(const kept_numbers *k, uint64_t number) { return k->rows[number / 64].bits >> number % 64 & 1; }
+
+/* Lines that wait for a face, so that no empty groups are written. */
+typedef struct states {
+    const char *begin[SCAN_STATES], *end[SCAN_STATES]; /* NULL: none waits */
+    int waiting;
+} states;
+
+enum { BUFFER = 1 << 16 };
+
+typedef struct crop {
+    const crop_files *f;
+    crop_choice choice;
+    crop_counts counts[CROP_SIDES];
+    unsigned char buffer[CROP_SIDES][BUFFER]; /* what is written next */
+    size_t filled[CROP_SIDES];
+    int failed, reason; /* whether a write failed, its side + 1, and why */
+    bool is_changed;    /* the file has not the triangles that it had */
+
+    uint64_t next;    /* triangle, of the face that comes next */
+    int pass, passes; /* over all faces */
+    uint64_t told;    /* faces */
+    progress bar;
+
+    scan s; /* of what is no list of triangles */
+    kept_numbers kept[CROP_SIDES][SCAN_NUMBERED];
+    states states[CROP_SIDES];
+    uint64_t left_out; /* lines of OBJ */
+} crop;
+
+/* Whether there is no use in going on. */
+static bool is_over(const crop *c) { return c->is_changed || c->failed; }
 
 static void tell(crop *c)
 {
     enum { EACH = 4096 };
     if (++c->told % EACH == 0)
-        progress_tell(c->bar, (c->pass - 1 + (double)c->next / (double)c->choice.triangles) / c->passes);
+        progress_tell(&c->bar, (c->pass - 1 + (double)c->next / (double)c->choice.triangles) / c->passes);
 }
 
-static bool is_set(const crop *c, uint64_t triangle) { return c->choice.bits[triangle / 64] >> triangle % 64 & 1; }
-
-crop_side crop_next(crop *c, uint64_t corners)
+/* The side of the next face, of so many corners. Of fewer than three it has no triangle, and goes with the rest. */
+static crop_side crop_next(crop *c, uint64_t corners)
 {
     const uint64_t triangles = corners > 2 ? corners - 2 : 0;
     if (triangles > c->choice.triangles - c->next) {
@@ -116,48 +178,37 @@ crop_side crop_next(crop *c, uint64_t corners)
         return CROP_REST;
     }
     uint64_t set = 0;
-    for (uint64_t t = 0; t < triangles; t++)
-        set += is_set(c, c->next + t);
-    c->next += triangles;
+    for (const uint64_t end = c->next + triangles; c->next < end; c->next++)
+        set += c->choice.bits[c->next / 64] >> c->next % 64 & 1;
     tell(c);
     const crop_side side = set && (!c->choice.needs_all || set == triangles) ? CROP_PART : CROP_REST;
     c->counts[side].faces += c->pass == 1;
     return side;
 }
 
-static void fail(crop *c, crop_side side)
+static void write_bytes(crop *c, crop_side side, const void *bytes, size_t size)
 {
+    if (c->failed || fwrite(bytes, 1, size, c->f->out[side].stream) == size)
+        return;
     c->failed = (int)side + 1;
     c->reason = errno;
 }
 
-static void write_buffer(crop *c, crop_side side)
+/* Nothing where that side is not wanted. Most of what is put are a few bytes, for which a stream takes long. */
+static void crop_put(crop *c, crop_side side, const void *bytes, size_t size)
 {
-    if (c->filled[side] && !c->failed && fwrite(c->buffer[side], 1, c->filled[side], c->to[side]) != c->filled[side])
-        fail(c, side);
-    c->filled[side] = 0;
-}
-
-/* Most of what is put are a few bytes, for which a stream takes long. */
-void crop_put(crop *c, crop_side side, const void *bytes, size_t size)
-{
-    if (!c->to[side] || c->failed)
+    if (!c->f->out[side].stream)
         return;
-    if (size > CROP_BUFFER - c->filled[side])
-        write_buffer(c, side);
-    if (size > CROP_BUFFER) {
-        if (!c->failed && fwrite(bytes, 1, size, c->to[side]) != size)
-            fail(c, side);
+    if (size > BUFFER - c->filled[side]) {
+        write_bytes(c, side, c->buffer[side], c->filled[side]);
+        c->filled[side] = 0;
+    }
+    if (size > BUFFER) {
+        write_bytes(c, side, bytes, size);
         return;
     }
     memcpy(c->buffer[side] + c->filled[side], bytes, size);
     c->filled[side] += size;
-}
-
-void crop_put_both(crop *c, const void *bytes, size_t size)
-{
-    for (crop_side s = CROP_PART; s < CROP_SIDES; s++)
-        crop_put(c, s, bytes, size);
 }
 
 enum { STL_HEADER = 84, STL_COUNT_AT = 80 };
@@ -212,12 +263,12 @@ static int crop_records(crop *c, triangle_file *file)
     const size_t record = layout->record;
     unsigned char *const records = malloc(TRIANGLE_BLOCK * record);
     if (!records)
-        return message_failure("%s: out of memory", c->path);
-    crop_begin(c);
+        return message_failure("%s: out of memory", c->f->mesh_path);
+    c->pass = 1;
     c->is_changed = file->promised != c->choice.triangles;
-    if (!crop_is_over(c) && file->format == TRIANGLES_STL)
+    if (!is_over(c) && file->format == TRIANGLES_STL)
         put_stl_header(c, file);
-    while (!crop_is_over(c) && c->next < c->choice.triangles) {
+    while (!is_over(c) && c->next < c->choice.triangles) {
         const uint64_t left = c->choice.triangles - c->next, at = layout->start + c->next * record;
         const size_t count = left < TRIANGLE_BLOCK ? (size_t)left : TRIANGLE_BLOCK;
         size_t got;
@@ -230,11 +281,11 @@ static int crop_records(crop *c, triangle_file *file)
     return EXIT_CODE_OK;
 }
 
-static int write_records(crop *c, const crop_files *f)
+static int write_records(crop *c)
 {
     triangle_file file;
     c->passes = 1;
-    int code = triangle_file_open(f->mesh_path, f->format, &file);
+    int code = triangle_file_open(c->f->mesh_path, c->f->format, &file);
     if (!code && !file.stream)
         c->is_changed = true;
     else if (!code)
@@ -243,10 +294,201 @@ static int write_records(crop *c, const crop_files *f)
     return code;
 }
 
-static int write_faces(crop *c, const crop_files *f)
+/* Points and lines overlap nothing, as they are not asked about. */
+static crop_side side_of(crop *c) { return c->s.item.kind == SCAN_LINE ? CROP_REST : crop_next(c, c->s.item.corners); }
+
+static bool has_side(scan_kind kind) { return kind == SCAN_FACE || kind == SCAN_FACET || kind == SCAN_LINE; }
+
+static void mark(crop *c)
 {
-    c->passes = f->kind == MESH_STL_TEXT ? 1 : 2;
-    return crop_scanned(c, f->kind);
+    const scan_item *const i = &c->s.item;
+    c->left_out += i->kind == SCAN_LEFT_OUT;
+    if (!has_side(i->kind))
+        return;
+    const crop_side side = side_of(c);
+    for (size_t n = 0; n < i->count; n++)
+        kept_numbers_add(&c->kept[side][i->references[n].which], i->references[n].number);
+}
+
+/* The edges are not counted anew: programs take 0 for that. */
+static uint64_t number_of(const crop *c, crop_side side, const scan_reference *r)
+{
+    return r->which == SCAN_VERTICES ? c->counts[side].vertices
+           : r->which == SCAN_FACES  ? c->counts[side].faces
+           : r->which == SCAN_EDGES  ? 0
+                                     : kept_numbers_new(&c->kept[side][r->which], r->number) + (c->s.kind == MESH_OBJ);
+}
+
+/* Numbers of a binary face take as many bytes as before. False where it has too many. */
+static bool put_binary(crop *c, crop_side side)
+{
+    enum { SHORT = 256 };
+    const scan_item *const i = &c->s.item;
+    const size_t size = (size_t)(i->end - i->begin);
+    char copy[SHORT];
+    if (size > SHORT || !i->count || i->references[0].type == PLY_NONE)
+        return false;
+    memcpy(copy, i->begin, size);
+    for (size_t n = 0; n < i->count; n++)
+        scan_spell(&c->s, &i->references[n], number_of(c, side, &i->references[n]), copy + (i->references[n].at - i->begin));
+    crop_put(c, side, copy, size);
+    return true;
+}
+
+static void put_item(crop *c, crop_side side)
+{
+    const scan_item *const i = &c->s.item;
+    if (put_binary(c, side))
+        return;
+    const char *from = i->begin;
+    char number[SCAN_DIGITS];
+    for (size_t n = 0; n < i->count; n++) {
+        const scan_reference *const r = &i->references[n];
+        crop_put(c, side, from, (size_t)(r->at - from));
+        crop_put(c, side, number, scan_spell(&c->s, r, number_of(c, side, r), number));
+        from = r->at + r->length;
+    }
+    crop_put(c, side, from, (size_t)(i->end - from));
+    crop_put(c, side, i->after, strlen(i->after));
+}
+
+static void set_state(states *s, const scan_item *i)
+{
+    s->waiting += !s->begin[i->which];
+    s->begin[i->which] = i->begin;
+    s->end[i->which] = i->end;
+}
+
+/* In their order in the file. */
+static void put_states(crop *c, crop_side side)
+{
+    states *const s = &c->states[side];
+    for (; s->waiting; s->waiting--) {
+        int first = 0;
+        while (!s->begin[first])
+            first++;
+        for (int i = first + 1; i < SCAN_STATES; i++)
+            if (s->begin[i] && s->begin[i] < s->begin[first])
+                first = i;
+        crop_put(c, side, s->begin[first], (size_t)(s->end[first] - s->begin[first]));
+        s->begin[first] = NULL;
+    }
+}
+
+/* Those of a run that are kept and follow each other are one write. */
+static void put_vertices(crop *c, crop_side side)
+{
+    const scan_item *const i = &c->s.item;
+    const kept_numbers *const kept = &c->kept[side][i->which];
+    const uint64_t first = c->s.here[i->which] - i->run, each = (uint64_t)(i->end - i->begin) / i->run;
+    for (uint64_t n = 0, end; n < i->run; n = end) {
+        const bool is_kept = kept_numbers_has(kept, first + n);
+        end = n + 1;
+        while (end < i->run && kept_numbers_has(kept, first + end) == is_kept)
+            end++;
+        if (is_kept)
+            crop_put(c, side, i->begin + n * each, (size_t)((end - n) * each));
+    }
+    if (i->run == 1 && kept_numbers_has(kept, first))
+        crop_put(c, side, i->after, strlen(i->after));
+}
+
+static void put(crop *c)
+{
+    const scan_item *const i = &c->s.item;
+    for (crop_side side = CROP_PART; side < CROP_SIDES; side++)
+        crop_put(c, side, i->gap, (size_t)(i->begin - i->gap));
+    if (has_side(i->kind)) {
+        const crop_side side = side_of(c);
+        put_states(c, side);
+        put_item(c, side);
+        return;
+    }
+    for (crop_side side = CROP_PART; side < CROP_SIDES && i->kind != SCAN_LEFT_OUT; side++)
+        if (i->kind == SCAN_STATE)
+            set_state(&c->states[side], i);
+        else if (i->kind == SCAN_VERTEX)
+            put_vertices(c, side);
+        else
+            put_item(c, side);
+}
+
+static void walk(crop *c, void (*take)(crop *c))
+{
+    c->next = 0;
+    c->pass++;
+    scan_again(&c->s);
+    do {
+        c->is_changed |= scan_next(&c->s) != EXIT_CODE_OK;
+        if (!c->is_changed)
+            take(c);
+    } while (!is_over(c) && c->s.item.kind != SCAN_END);
+}
+
+/* What is not written as it was. */
+static int check_ply(const crop *c)
+{
+    for (int e = 0; e < c->s.ply.element_count; e++) {
+        const ply_element *const element = &c->s.ply.elements[e];
+        if (element->kind == PLY_STRIPS && element->count)
+            return message_failure("%s: has strips of triangles, which -o and --rest do not cut; save the mesh with faces",
+                                   c->f->mesh_path);
+        if (c->s.is_left_out[e] && element->count)
+            message_say("note: %s: its %" PRIu64 " of '%.*s' refer to vertices, and are left out of what is written",
+                        c->f->mesh_path, element->count, element->name_length, element->name);
+    }
+    return EXIT_CODE_OK;
+}
+
+static int crop_items(crop *c)
+{
+    int code = c->s.kind == MESH_PLY ? check_ply(c) : EXIT_CODE_OK;
+    for (int i = 0; !code && i < CROP_SIDES * SCAN_NUMBERED; i++)
+        code = kept_numbers_make(c->f->mesh_path, c->s.all[i % SCAN_NUMBERED], &c->kept[i / SCAN_NUMBERED][i % SCAN_NUMBERED]);
+    if (code)
+        return code;
+    if (c->passes == 2)
+        walk(c, mark);
+    for (int i = 0; i < CROP_SIDES * SCAN_NUMBERED; i++)
+        kept_numbers_count(&c->kept[i / SCAN_NUMBERED][i % SCAN_NUMBERED]);
+    for (int s = 0; s < CROP_SIDES; s++)
+        c->counts[s].vertices = c->kept[s][SCAN_POSITIONS].kept;
+    if (!is_over(c))
+        walk(c, put);
+    if (c->s.kind == MESH_OBJ && c->left_out)
+        message_say("note: %s: %" PRIu64 " lines of curves and surfaces are left out of what is written", c->f->mesh_path,
+                    c->left_out);
+    return code;
+}
+
+/* Its bytes are not copied: the header of a sound file is looked at no further than to its end. */
+static bool map_binary(crop *c, file_map *map, whole_file *file)
+{
+    if (file_map_open(map, c->f->mesh_path) != FILE_MAP_OK)
+        return false;
+    *file = (whole_file){map->bytes, map->size};
+    return file->size && !ply_header_read(NULL, file, &c->s.ply) && c->s.ply.format != PLY_ASCII;
+}
+
+static int write_items(crop *c)
+{
+    const mesh_kind kind = c->f->kind;
+    file_map map = {.bytes = NULL};
+    whole_file file = {NULL, 0};
+    const bool is_mapped = kind == MESH_PLY && map_binary(c, &map, &file);
+    int code = is_mapped ? EXIT_CODE_OK : whole_file_read(c->f->mesh_path, kind, &file);
+    c->passes = kind == MESH_STL_TEXT ? 1 : 2;
+    if (!code) {
+        c->is_changed = scan_open(NULL, kind, &file, &c->s) != EXIT_CODE_OK;
+        code = c->is_changed ? EXIT_CODE_OK : crop_items(c);
+        scan_close(&c->s);
+    }
+    for (int i = 0; i < CROP_SIDES * SCAN_NUMBERED; i++)
+        free(c->kept[i / SCAN_NUMBERED][i % SCAN_NUMBERED].rows);
+    if (!is_mapped)
+        whole_file_free(&file);
+    file_map_close(&map);
+    return code;
 }
 
 /* Between two readings, too. */
@@ -256,18 +498,23 @@ static bool has_changed(const crop_files *f)
     return !named_file_about(f->mesh_path, &now) || now.size != f->mesh.size || now.changed != f->mesh.changed;
 }
 
-static int write_all(crop *c, const crop_files *f)
+static int write_all(crop *c)
 {
-    int code = f->format == TRIANGLES_OTHER ? write_faces(c, f) : write_records(c, f);
-    for (int s = 0; !code && s < CROP_SIDES; s++) {
-        write_buffer(c, (crop_side)s);
-        if (!c->failed && c->to[s] && fflush(c->to[s]))
-            fail(c, (crop_side)s);
+    const crop_files *const f = c->f;
+    int code = f->format == TRIANGLES_OTHER ? write_items(c) : write_records(c);
+    for (crop_side s = CROP_PART; !code && s < CROP_SIDES; s++) {
+        if (!f->out[s].stream)
+            continue;
+        write_bytes(c, s, c->buffer[s], c->filled[s]);
+        if (!c->failed && fflush(f->out[s].stream)) {
+            c->failed = (int)s + 1;
+            c->reason = errno;
+        }
     }
     if (code)
         return code;
     if (c->is_changed || has_changed(f) || (!c->failed && c->next != c->choice.triangles))
-        return message_failure("%s: has changed while it was read; nothing was kept", c->path);
+        return message_failure("%s: has changed while it was read; nothing was kept", f->mesh_path);
     errno = c->reason;
     return c->failed ? file_out_failure(&f->out[c->failed - 1]) : EXIT_CODE_OK;
 }
@@ -292,19 +539,21 @@ static int keep(crop_files *f)
 
 int crop_write(crop_files *f, const crop_choice *choice, crop_counts counts[CROP_SIDES])
 {
-    progress bar = progress_start("writing");
-    crop c = {.path = f->mesh_path, .choice = *choice, .bar = &bar, .to = {f->out[CROP_PART].stream, f->out[CROP_REST].stream}};
-    for (int s = 0; s < CROP_SIDES; s++)
-        c.buffer[s] = malloc(CROP_BUFFER);
-    int code = c.buffer[CROP_PART] && c.buffer[CROP_REST] ? write_all(&c, f) : message_failure("%s: out of memory", c.path);
-    progress_end(&bar);
-    for (int s = 0; s < CROP_SIDES; s++) {
-        free(c.buffer[s]);
-        counts[s] = c.counts[s];
-        counts[s].has_vertices = f->format == TRIANGLES_OTHER && f->kind != MESH_STL_TEXT;
-        if (!code)
-            note_empty(f, s, &counts[s]);
+    crop *const c = calloc(1, sizeof *c);
+    int code = c ? EXIT_CODE_OK : message_failure("%s: out of memory", f->mesh_path);
+    if (c) {
+        c->f = f;
+        c->choice = *choice;
+        c->bar = progress_start("writing");
+        code = write_all(c);
+        progress_end(&c->bar);
     }
+    for (int s = 0; !code && s < CROP_SIDES; s++) {
+        counts[s] = c->counts[s];
+        counts[s].has_vertices = f->format == TRIANGLES_OTHER && f->kind != MESH_STL_TEXT;
+        note_empty(f, s, &counts[s]);
+    }
+    free(c);
     code = code ? code : keep(f);
     crop_files_drop(f);
     return code;
