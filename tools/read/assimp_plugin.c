@@ -20,18 +20,18 @@ typedef struct transform {
 
 static const transform identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-static transform transform_of(const struct aiMatrix4x4 *m)
+/* Of what is moved by `m`, and then by `by`. */
+static transform transform_product(const transform *by, const struct aiMatrix4x4 *m)
 {
-    return (transform){{{m->a1, m->a2, m->a3, m->a4}, {m->b1, m->b2, m->b3, m->b4}, {m->c1, m->c2, m->c3, m->c4}}};
-}
-
-static transform transform_product(const transform *a, const transform *b)
-{
+    const double rows[3][4] = {{(double)m->a1, (double)m->a2, (double)m->a3, (double)m->a4},
+                               {(double)m->b1, (double)m->b2, (double)m->b3, (double)m->b4},
+                               {(double)m->c1, (double)m->c2, (double)m->c3, (double)m->c4}};
     transform product;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
-            product.row[i][j] = a->row[i][0] * b->row[0][j] + a->row[i][1] * b->row[1][j] + a->row[i][2] * b->row[2][j] +
-                                (j == 3 ? a->row[i][3] : 0);
+        for (int j = 0; j < 4; j++) {
+            const double *const own = by->row[i];
+            product.row[i][j] = own[0] * rows[0][j] + own[1] * rows[1][j] + own[2] * rows[2][j] + (j == 3 ? own[3] : 0);
+        }
     return product;
 }
 
@@ -58,7 +58,7 @@ typedef void visit_mesh(const struct aiMesh *mesh, const transform *place, void 
 static void walk_node(const struct aiScene *scene, const struct aiNode *node, const transform *parent, visit_mesh *visit,
                       void *context)
 {
-    const transform own = transform_of(&node->mTransformation), place = transform_product(parent, &own);
+    const transform place = transform_product(parent, &node->mTransformation);
     for (unsigned i = 0; i < node->mNumMeshes; i++)
         visit(scene->mMeshes[node->mMeshes[i]], &place, context);
     for (unsigned i = 0; i < node->mNumChildren; i++)
@@ -71,29 +71,17 @@ static void walk(const struct aiScene *scene, visit_mesh *visit, void *context)
         walk_node(scene, scene->mRootNode, &identity, visit, context);
 }
 
-typedef struct faces {
-    size_t triangles;
-    size_t points_and_lines;
-    size_t to_cut; /* triangles that the polygons are worth */
-} faces;
-
+/* uncut: triangles that the polygons are worth. */
 static void count_faces(const struct aiMesh *mesh, const transform *place, void *context)
 {
-    faces *f = context;
+    assimp_counts *const counts = context;
     (void)place;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const unsigned corners = mesh->mFaces[i].mNumIndices;
-        f->triangles += corners == 3;
-        f->points_and_lines += corners == 1 || corners == 2;
-        f->to_cut += corners > 3 ? corners - 2 : 0;
+        counts->triangles += corners == 3;
+        counts->points_and_lines += corners == 1 || corners == 2;
+        counts->uncut += corners > 3 ? corners - 2 : 0;
     }
-}
-
-static faces faces_of(const struct aiScene *scene)
-{
-    faces f = {0, 0, 0};
-    walk(scene, count_faces, &f);
-    return f;
 }
 
 /* Where the triangles go, and how many there are so far. */
@@ -222,12 +210,16 @@ static bool refuse(char *reason)
 /* Cuts polygons, and counts. What fails has released the scene, as libassimp does. */
 static bool cut(const struct aiScene *scene, assimp_counts *counts, char *reason)
 {
-    const faces before = faces_of(scene);
-    if (before.to_cut && !aiApplyPostProcessing(scene, aiProcess_Triangulate))
+    assimp_counts after = {0, 0, 0};
+    *counts = after;
+    walk(scene, count_faces, counts);
+    if (!counts->uncut)
+        return true;
+    if (!aiApplyPostProcessing(scene, aiProcess_Triangulate))
         return refuse(reason);
-    counts->triangles = before.to_cut ? faces_of(scene).triangles : before.triangles;
-    counts->points_and_lines = before.points_and_lines;
-    counts->uncut = before.triangles + before.to_cut - counts->triangles;
+    walk(scene, count_faces, &after);
+    counts->uncut += counts->triangles - after.triangles;
+    counts->triangles = after.triangles;
     return true;
 }
 
@@ -238,14 +230,6 @@ static size_t read_file(struct aiFile *file, char *to, size_t size, size_t count
 {
     return fread(to, size, count, stream_of(file));
 }
-
-static size_t write_nothing(struct aiFile *file, const char *from, size_t size, size_t count)
-{
-    (void)file, (void)from, (void)size, (void)count;
-    return 0;
-}
-
-static void flush_nothing(struct aiFile *file) { (void)file; }
 
 static size_t tell_file(struct aiFile *file) { return (size_t)ftell(stream_of(file)); }
 
@@ -262,21 +246,19 @@ static size_t size_file(struct aiFile *file)
     return seek_file(file, at, aiOrigin_SET) == aiReturn_SUCCESS ? size : 0;
 }
 
-typedef struct opened_names {
-    char *all;
-    size_t bytes; /* without the end of the list */
-} opened_names;
-
-static bool note(opened_names *names, const char *path)
+/* names: as assimp_plugin.open returns them. */
+static bool note(char **names, const char *path)
 {
+    size_t before = 0;
+    while (*names && (*names)[before])
+        before += strlen(*names + before) + 1;
     const size_t bytes = strlen(path) + 1;
-    char *const all = realloc(names->all, names->bytes + bytes + 1);
+    char *const all = realloc(*names, before + bytes + 1);
     if (!all)
         return false;
-    memcpy(all + names->bytes, path, bytes);
-    names->bytes += bytes;
-    all[names->bytes] = '\0';
-    names->all = all;
+    memcpy(all + before, path, bytes);
+    all[before + bytes] = '\0';
+    *names = all;
     return true;
 }
 
@@ -285,7 +267,11 @@ static struct aiFile *open_file(struct aiFileIO *system, const char *path, const
     FILE *const stream = fopen(path, mode);
     struct aiFile *const file = stream ? malloc(sizeof *file) : NULL;
     if (file && note((void *)system->UserData, path)) {
-        *file = (struct aiFile){read_file, write_nothing, tell_file, size_file, seek_file, flush_nothing, (void *)stream};
+        *file = (struct aiFile){.ReadProc = read_file,
+                                .TellProc = tell_file,
+                                .FileSizeProc = size_file,
+                                .SeekProc = seek_file,
+                                .UserData = (void *)stream};
         return file;
     }
     free(file);
@@ -304,10 +290,9 @@ static void close_file(struct aiFileIO *system, struct aiFile *file)
 /* By its path, as a file may refer to others beside it. */
 static const void *open_scene(const char *path, assimp_counts *counts, char **opened, char *reason)
 {
-    opened_names names = {.all = NULL};
-    struct aiFileIO system = {open_file, close_file, (void *)&names};
+    struct aiFileIO system = {open_file, close_file, (void *)opened};
+    *opened = NULL;
     const struct aiScene *const scene = aiImportFileEx(path, 0, &system);
-    *opened = names.all;
     if (!scene) {
         refuse(reason);
         return NULL;
