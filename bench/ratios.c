@@ -117,11 +117,11 @@ static bool ask_about(asked *q, const scene *at)
 /* A share of each side, about the middle. */
 static tribox_box box_in(const indexed_mesh *m, double share)
 {
-    const float *const positions = m->positions;
+    const float *const positions = m->positions.of;
     tribox_box box;
     for (int a = 0; a < 3; a++) {
         double lo = INFINITY, hi = -INFINITY;
-        for (size_t v = 0; v < m->vertices; v++) {
+        for (size_t v = 0; v < m->positions.count; v++) {
             lo = fmin(lo, (double)positions[3 * v + (size_t)a]);
             hi = fmax(hi, (double)positions[3 * v + (size_t)a]);
         }
@@ -134,16 +134,18 @@ static tribox_box box_in(const indexed_mesh *m, double share)
 /* With the vertices and the order of the file. */
 static bool make_mesh(const indexed_mesh *m, double share, scene *at)
 {
-    const float *const positions = m->positions;
-    if (!timing_work_make(&at->work, 1, timing_work_room(m->triangles)))
-        return message_failure("out of memory for %zu triangles", m->triangles) == EXIT_CODE_OK;
-    for (size_t corner = 0; corner < 3 * m->triangles; corner++)
-        memcpy(at->work.triangles[corner / 3][corner % 3], positions + 3 * (size_t)m->corners[corner], 3 * sizeof(float));
-    const timing_job job = timing_work_soup(&at->work, m->triangles);
+    const float *const positions = m->positions.of;
+    const uint32_t *const corners = m->corners.of;
+    const size_t triangles = m->corners.count / 3;
+    if (!timing_work_make(&at->work, 1, timing_work_room(triangles)))
+        return message_failure("out of memory for %zu triangles", triangles) == EXIT_CODE_OK;
+    for (size_t corner = 0; corner < 3 * triangles; corner++)
+        memcpy(at->work.triangles[corner / 3][corner % 3], positions + 3 * (size_t)corners[corner], 3 * sizeof(float));
+    const timing_job job = timing_work_soup(&at->work, triangles);
     const tribox_box box = box_in(m, share);
     timing_work_add(&at->work, &job, &box);
     at->work.mesh = (tribox_mesh){
-        .positions = positions, .vertices = m->vertices, .indices = m->corners, .index_bytes = 4, .count = m->triangles};
+        .positions = positions, .vertices = m->positions.count, .indices = corners, .index_bytes = 4, .count = triangles};
     return true;
 }
 

@@ -61,20 +61,34 @@ bool mesh_list_read(const char *path, mesh *m)
     return mesh_read(find(path, whole), m) == EXIT_CODE_OK;
 }
 
+/* In place: number i of the floats ends before number i + 1 of the doubles begins. */
+static void narrow(const indexed_mesh *m)
+{
+    unsigned char *const bytes = m->positions.of;
+    for (size_t i = 0; m->position_bytes == sizeof(double) && i < 3 * m->positions.count; i++) {
+        double number;
+        memcpy(&number, bytes + i * sizeof number, sizeof number);
+        const float nearest = (float)number;
+        memcpy(bytes + i * sizeof nearest, &nearest, sizeof nearest);
+    }
+}
+
 bool mesh_list_read_indexed(const char *path, indexed_mesh *m)
 {
     char whole[PATH_ROOM];
     whole_file file;
     const mesh_kind kind = mesh_kind_of(find(path, whole));
-    *m = (indexed_mesh){.positions = NULL};
+    *m = (indexed_mesh){.position_bytes = 0};
     if (kind == MESH_STL_TEXT || kind == MESH_OTHER)
         return message_failure("%s: not read: a PLY, OFF or OBJ file is wanted, which has indices", path) == EXIT_CODE_OK;
     const bool is_read = !whole_file_read(whole, kind, &file) && !scan_read(whole, kind, &file, m);
     whole_file_free(&file);
-    indexed_mesh_narrow(m);
-    if (is_read && (m->position_bytes != sizeof(float) || !m->triangles))
+    if (!is_read)
+        return false;
+    if (!indexed_mesh_cut(1, m) || !m->corners.count || (m->position_bytes == sizeof(double) && m->fit == FLOAT_FIT_NONE))
         return message_failure("%s: no triangles of floats", path) == EXIT_CODE_OK;
-    return is_read;
+    narrow(m);
+    return true;
 }
 
 int mesh_list_take(mesh_list *list, const char *path)

@@ -15,42 +15,40 @@ static const char *const names[] = {"a.ply", "a.obj", "a.stl", "a.off"};
 static const mesh_kind kinds[] = {MESH_PLY, MESH_OBJ, MESH_STL_TEXT, MESH_OFF};
 enum { NAMES = sizeof names / sizeof names[0] };
 
-/* Doubles become floats where float holds all of them, and stay where it does not. */
-static void check_numbers(indexed_mesh *m)
+/* Numbers fit float as well as the reader says. */
+static void check_numbers(const indexed_mesh *m)
 {
-    const bool is_double = m->position_bytes == sizeof(double);
+    const size_t numbers = m->position_bytes == sizeof(double) ? 3 * m->positions.count : 0;
     size_t fits = 0;
-    for (size_t i = 0; is_double && i < 3 * m->vertices; i++)
-        fits += float_fit_of(((const double *)m->positions)[i]) == FLOAT_FIT_EXACT;
-    ensure(!is_double || (fits == 3 * m->vertices) == (m->fit == FLOAT_FIT_EXACT), "%zu of %zu numbers are floats", fits,
-           3 * m->vertices);
-    indexed_mesh_narrow(m);
-    ensure(!m->vertices || (m->position_bytes == sizeof(double)) == (m->fit == FLOAT_FIT_NONE), "numbers of %u bytes",
-           m->position_bytes);
+    for (size_t i = 0; i < numbers; i++)
+        fits += float_fit_of(((const double *)m->positions.of)[i]) == FLOAT_FIT_EXACT;
+    ensure(!numbers || (fits == numbers) == (m->fit == FLOAT_FIT_EXACT), "%zu of %zu numbers are floats", fits, numbers);
 }
 
-/* Every corner of a triangle is a vertex that was read, and memory is in proportion to the file. */
-static void check_mesh(const indexed_mesh *m, size_t size)
+/* Every corner of a face is a vertex that was read, and memory is in proportion to the file, beyond a large page a list. */
+static void check_mesh(const indexed_mesh *m, size_t size, int code)
 {
-    for (size_t i = 0; i < 3 * m->triangles; i++)
-        ensure(m->corners[i] < m->vertices, "triangle %zu has vertex %u of %zu", i / 3, m->corners[i], m->vertices);
-    ensure(m->vertices <= m->vertices_max && m->vertices_max <= size + 1024, "room for %zu vertices of %zu bytes", m->vertices_max,
-           size);
-    ensure(m->triangles <= size && m->face_max <= 4 * size, "%zu triangles of %zu bytes", m->triangles, size);
+    enum { PAGE = 1 << 21 };
+    const uint32_t *const corners = m->corners.of;
+    for (size_t i = 0; !code && i < m->corners.count; i++)
+        ensure(corners[i] < m->positions.count, "corner %zu is vertex %u of %zu", i, corners[i], m->positions.count);
+    ensure(m->positions.count <= m->positions.room && m->positions.room <= size + PAGE / sizeof(float[3]),
+           "room for %zu vertices of %zu bytes", m->positions.room, size);
+    ensure(m->corners.room <= 4 * size + PAGE && m->sizes.count <= size, "%zu corners of %zu bytes", m->corners.room, size);
 }
 
 /* In memory of its own, with the NUL byte that whole_file promises and nothing after it. */
 static void scan_file(const char *name, mesh_kind kind, const uint8_t *bytes, size_t size)
 {
     whole_file file = {malloc(size + 1), size};
-    indexed_mesh m = {.positions = NULL};
+    indexed_mesh m = {.position_bytes = 0};
     ensure(file.bytes, "no memory");
     memcpy(file.bytes, bytes, size);
     file.bytes[size] = '\0';
     lines_forget();
     const int code = scan_read(name, kind, &file, &m);
     lines_fit(name, code);
-    check_mesh(&m, size);
+    check_mesh(&m, size, code);
     if (!code)
         check_numbers(&m);
     indexed_mesh_free(&m);

@@ -2,19 +2,11 @@
 #include "console/message.h"
 #include "read/mesh.h"
 
-int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, 1, m); }
-
-int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m)
-{
-    (void)threads;
-    *m = (mesh){.coordinates = NULL};
-    return message_failure("%s: no mesh of format %d", path, (int)format);
-}
-
 int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh_overflow *over, mesh *m)
 {
-    (void)is_wide, (void)over;
-    return mesh_read_as(path, format, threads, m);
+    (void)is_wide, (void)threads, (void)over;
+    *m = (mesh){.coordinates = NULL};
+    return message_failure("%s: no mesh of format %d", path, (int)format);
 }
 
 int mesh_to_floats(const char *path, const double origin[3], mesh *m)

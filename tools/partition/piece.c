@@ -25,91 +25,84 @@ typedef struct face_mark {
 
 struct ply_faces {
     file_map map;
-    const char *path;
     ply_layout in;
-    size_t number, count, corner; /* bytes of a coordinate, of the length of a list, and of a corner */
     face_mark *marks;
 };
 
-/* A face: where its corners are, and how many. */
-typedef struct face {
-    uint64_t corners_at, count, end;
-} face;
+/* A walk over faces: the last one, and where the next begins. */
+typedef struct ply_walk {
+    const struct ply_faces *f;
+    uint64_t at, count, triangles, miscut;
+    const unsigned char *corners;
+    indexed_mesh polygon;
+} ply_walk;
 
-static uint64_t bits_at(const struct ply_faces *f, uint64_t at, size_t size)
+static uint64_t corner_at(const ply_walk *w, uint64_t i)
 {
-    return ply_bits((const unsigned char *)f->map.bytes + at, size, f->in.is_big);
+    const ply_layout *const in = &w->f->in;
+    return ply_bits(w->corners + i * in->corner_bytes, in->corner_bytes, in->is_big);
 }
 
-/* False where the file ends before it, or it has more corners than anyone means. */
-static bool find_face(const struct ply_faces *f, uint64_t at, face *found)
+/* False where the file ends before it, it has more corners than anyone means, or it refers to a vertex that is not there. */
+static bool next_face(ply_walk *w)
 {
-    if (f->map.size - at < f->in.before + f->count)
-        return false;
-    found->count = bits_at(f, at + f->in.before, f->count);
-    found->corners_at = at + f->in.before + f->count;
-    if (found->count > CORNERS_MOST || (f->map.size - found->corners_at) < found->count * f->corner + f->in.after)
-        return false;
-    found->end = found->corners_at + found->count * f->corner + f->in.after;
-    return true;
-}
-
-/* False where it refers to a vertex that is not there. */
-static bool find_corner(const struct ply_faces *f, const face *one, uint64_t i, uint64_t *vertex)
-{
-    *vertex = bits_at(f, one->corners_at + i * f->corner, f->corner);
-    return *vertex < f->in.vertices;
-}
-
-static double number_at(const struct ply_faces *f, uint64_t vertex, int axis)
-{
-    const uint64_t bits = bits_at(f, f->in.vertices_at + vertex * f->in.vertex + f->in.axes[axis], f->number);
-    return ply_number(bits, f->in.number);
-}
-
-/* Cuts a face of more than three corners: its corners become the vertices of a mesh of its own. */
-static bool cut(const struct ply_faces *f, const face *one, indexed_mesh *polygon)
-{
-    polygon->vertices = polygon->triangles = 0;
-    if (indexed_mesh_reserve(f->path, one->count, sizeof(double), polygon) ||
-        indexed_mesh_reserve_face(f->path, one->count, polygon))
-        return false;
-    for (uint64_t i = 0; i < one->count; i++) {
-        uint64_t vertex;
-        if (!find_corner(f, one, i, &vertex))
-            return false;
-        indexed_mesh_add_vertex((const double[3]){number_at(f, vertex, 0), number_at(f, vertex, 1), number_at(f, vertex, 2)},
-                                polygon);
-        polygon->face[i] = (uint32_t)i;
-    }
-    return !indexed_mesh_add_face(f->path, (size_t)one->count, polygon);
-}
-
-static bool check_corners(const struct ply_faces *f, const face *one)
-{
-    uint64_t vertex;
+    const ply_layout *const in = &w->f->in;
+    const unsigned char *const bytes = (const unsigned char *)w->f->map.bytes + w->at;
+    const uint64_t left = w->f->map.size - w->at, before = in->before + in->count_bytes;
     bool is_sound = true;
-    for (uint64_t i = 0; i < one->count; i++)
-        is_sound &= find_corner(f, one, i, &vertex);
+    if (left < before)
+        return false;
+    w->count = ply_bits(bytes + in->before, in->count_bytes, in->is_big);
+    if (w->count > CORNERS_MOST || left < before + w->count * in->corner_bytes + in->after)
+        return false;
+    w->triangles = w->count > 2 ? w->count - 2 : 0;
+    w->corners = bytes + before;
+    w->at += before + w->count * in->corner_bytes + in->after;
+    for (uint64_t i = 0; i < w->count; i++)
+        is_sound &= corner_at(w, i) < in->vertices;
     return is_sound;
 }
 
-/* Looks at all faces once. */
-static bool mark_faces(struct ply_faces *f, ply_piece *p)
+static double number_at(const struct ply_faces *f, uint64_t vertex, size_t axis)
 {
-    uint64_t at = f->in.faces_at;
-    indexed_mesh polygon = {.positions = NULL};
+    const ply_layout *const in = &f->in;
+    const unsigned char *const at = (const unsigned char *)f->map.bytes + in->vertices_at + vertex * in->vertex + in->axes[axis];
+    return ply_number(ply_bits(at, in->number_bytes, in->is_big), in->number);
+}
+
+/* The last face as triangles of its corners, counted from 0; NULL where there is no memory. */
+static const uint32_t *cut(ply_walk *w)
+{
+    static const uint32_t triangle[] = {0, 1, 2};
+    if (w->count <= 3)
+        return triangle;
+    w->polygon.position_bytes = sizeof(double);
+    w->polygon.positions.count = w->polygon.corners.count = 0;
+    double *const positions = page_list_add(w->count, sizeof(double[3]), &w->polygon.positions);
+    uint32_t *const face = page_list_add(w->count + 3 * w->triangles, sizeof *face, &w->polygon.corners);
+    if (!positions || !face)
+        return NULL;
+    for (size_t k = 0; k < 3 * w->count; k++) {
+        positions[k] = number_at(w->f, corner_at(w, k / 3), k % 3);
+        face[k / 3] = (uint32_t)(k / 3);
+    }
+    w->miscut += !polygon_cut(&w->polygon, face, w->count, face + w->count);
+    return face + w->count;
+}
+
+/* Looks at all faces once. */
+static bool mark_faces(const struct ply_faces *f, ply_piece *p)
+{
+    ply_walk w = {.f = f, .at = f->in.faces_at};
     bool is_sound = true;
     for (uint64_t n = 0; n < f->in.faces && is_sound; n++) {
-        face one;
         if (n % FACES_A_MARK == 0)
-            f->marks[n / FACES_A_MARK] = (face_mark){at, p->triangles};
-        is_sound = find_face(f, at, &one) && check_corners(f, &one) && (one.count < 4 || cut(f, &one, &polygon));
-        p->triangles += is_sound && one.count > 2 ? one.count - 2 : 0;
-        at = one.end;
+            f->marks[n / FACES_A_MARK] = (face_mark){w.at, p->triangles};
+        is_sound = next_face(&w) && cut(&w);
+        p->triangles += w.triangles;
     }
-    p->miscut = polygon.miscut;
-    indexed_mesh_free(&polygon);
+    p->miscut = w.miscut;
+    indexed_mesh_free(&w.polygon);
     return is_sound;
 }
 
@@ -117,7 +110,7 @@ static bool holds_floats(const struct ply_faces *f)
 {
     bool is_float = true;
     for (uint64_t v = 0; v < f->in.vertices && is_float; v++)
-        for (int a = 0; a < 3; a++)
+        for (size_t a = 0; a < 3; a++)
             is_float &= float_fit_of(number_at(f, v, a)) == FLOAT_FIT_EXACT;
     return is_float;
 }
@@ -135,9 +128,6 @@ static bool lay_out(struct ply_faces *f)
     free(header);
     if (!is_read || !is_corner[in->corner] || (in->number != PLY_FLOAT && in->number != PLY_DOUBLE))
         return false;
-    f->number = ply_type_size(in->number);
-    f->count = ply_type_size(in->count);
-    f->corner = ply_type_size(in->corner);
     f->marks = malloc((size_t)((f->in.faces + FACES_A_MARK - 1) / FACES_A_MARK) * sizeof *f->marks);
     return f->marks;
 }
@@ -162,53 +152,21 @@ static ply_piece ply_piece_open(const char *path, bool is_wide)
     ply_piece p = {.faces = calloc(1, sizeof *p.faces)};
     if (!p.faces)
         return p;
-    p.faces->path = path;
     if (file_map_open(&p.faces->map, path) || !lay_out(p.faces) || !mark_faces(p.faces, &p) || !p.triangles) {
         ply_piece_close(&p);
         return p;
     }
-    p.is_double = p.faces->number == sizeof(double);
-    if (p.is_double && !is_wide && holds_floats(p.faces))
-        p.is_double = false;
+    p.is_double = p.faces->in.number == PLY_DOUBLE && (is_wide || !holds_floats(p.faces));
     return p;
 }
 
-/* Where triangles go, without those before the first. */
-typedef struct ply_sink {
-    const ply_piece *p;
-    uint64_t skip;
-    size_t left;
-    unsigned char *to;
-} ply_sink;
-
-static void put_triangle(ply_sink *s, const uint64_t corners[3])
+/* As a double, or a float. Returns where the next goes. */
+static unsigned char *put_number(double wide, bool is_double, unsigned char *to)
 {
-    for (int k = 0; k < 9; k++) {
-        const double wide = number_at(s->p->faces, corners[k / 3], k % 3);
-        const float narrow = (float)wide;
-        const size_t bytes = s->p->is_double ? sizeof wide : sizeof narrow;
-        memcpy(s->to, s->p->is_double ? (const void *)&wide : (const void *)&narrow, bytes);
-        s->to += bytes;
-    }
-    s->left--;
-}
-
-/* Those triangles of a face that are wanted. False where a vertex is missing. */
-static bool put_face(ply_sink *s, const face *one, const indexed_mesh *polygon)
-{
-    const struct ply_faces *const f = s->p->faces;
-    for (uint64_t t = 0; t + 2 < one->count && s->left; t++) {
-        uint64_t corners[3];
-        if (s->skip) {
-            s->skip--;
-            continue;
-        }
-        for (uint64_t v = 0; v < 3; v++)
-            if (!find_corner(f, one, polygon ? polygon->corners[3 * t + v] : v, &corners[v]))
-                return false;
-        put_triangle(s, corners);
-    }
-    return true;
+    const float narrow = (float)wide;
+    const size_t bytes = is_double ? sizeof wide : sizeof narrow;
+    memcpy(to, is_double ? (const void *)&wide : (const void *)&narrow, bytes);
+    return to + bytes;
 }
 
 static uint64_t find_mark(const struct ply_faces *f, uint64_t triangle)
@@ -227,26 +185,25 @@ static uint64_t find_mark(const struct ply_faces *f, uint64_t triangle)
 /*
  * Triangles first .. first + count - 1, nine numbers each, floats or doubles. False where there is no memory, or the file changed.
  */
-static bool ply_piece_read(const ply_piece *p, uint64_t first, size_t count, void *positions)
+static bool ply_piece_read(const ply_piece *p, uint64_t first, size_t count, unsigned char *to)
 {
-    const struct ply_faces *const f = p->faces;
-    const face_mark *const mark = &f->marks[find_mark(f, first)];
-    ply_sink s = {.p = p, .skip = first - mark->triangle, .left = count, .to = positions};
-    indexed_mesh polygon = {.positions = NULL};
+    const face_mark *const mark = &p->faces->marks[find_mark(p->faces, first)];
+    ply_walk w = {.f = p->faces, .at = mark->at};
+    uint64_t skip = first - mark->triangle;
     bool is_sound = true;
-    for (uint64_t at = mark->at; s.left && is_sound;) {
-        face one;
-        is_sound = find_face(f, at, &one);
-        if (!is_sound)
-            break;
-        const bool is_polygon = one.count > 3;
-        if (is_polygon && s.skip >= one.count - 2)
-            s.skip -= one.count - 2;
-        else
-            is_sound = (!is_polygon || cut(f, &one, &polygon)) && put_face(&s, &one, is_polygon ? &polygon : NULL);
-        at = one.end;
+    while (count && is_sound && (is_sound = next_face(&w))) {
+        if (skip >= w.triangles) {
+            skip -= w.triangles;
+            continue;
+        }
+        const uint32_t *corners = cut(&w);
+        is_sound = corners;
+        for (uint64_t t = skip; is_sound && t < w.triangles && count; t++, count--)
+            for (size_t k = 0; k < 9; k++)
+                to = put_number(number_at(w.f, corner_at(&w, corners[3 * t + k / 3]), k % 3), p->is_double, to);
+        skip = 0;
     }
-    indexed_mesh_free(&polygon);
+    indexed_mesh_free(&w.polygon);
     return is_sound;
 }
 
@@ -354,10 +311,9 @@ static bool read_records(const piece_block *b, unsigned char *bytes)
     FILE *const file = named_file_open(b->from->path, "rb");
     if (!file)
         return false;
-    setvbuf(file, NULL, _IONBF, 0);
     errno = 0;
-    const uint64_t start = layout->start + b->first * layout->record;
-    const bool is_read = !fseeko(file, (off_t)start, SEEK_SET) && fread(bytes, 1, size, file) == size;
+    size_t got;
+    const bool is_read = named_file_read_at(file, layout->start + b->first * layout->record, bytes, size, &got) && got == size;
     const int reason = errno;
     fclose(file);
     errno = reason;
@@ -378,28 +334,23 @@ static void widen(unsigned char *bytes, size_t numbers)
     }
 }
 
-static void put(const mesh *m, uint64_t first, size_t count, unsigned bytes, unsigned char *to)
+static void put(const mesh *m, uint64_t first, size_t count, bool is_double, unsigned char *to)
 {
     for (size_t t = 0; t < count; t++) {
         double u[NUMBERS];
         mesh_triangle(m, (size_t)first + t, u);
-        for (size_t k = 0; k < NUMBERS; k++) {
-            const float narrow = (float)u[k];
-            memcpy(to + (t * NUMBERS + k) * bytes, bytes == sizeof narrow ? (const void *)&narrow : (const void *)&u[k], bytes);
-        }
+        for (size_t k = 0; k < NUMBERS; k++)
+            to = put_number(u[k], is_double, to);
     }
 }
 
 /* In place, as number after number is handed on at most as wide as it was. */
-static void subtract(const pieces *all, size_t numbers, unsigned char *bytes)
+static void subtract(const pieces *all, size_t numbers, const unsigned char *bytes, unsigned char *to)
 {
     for (size_t k = 0; k < numbers; k++) {
         double number;
         memcpy(&number, bytes + k * sizeof number, sizeof number);
-        number -= all->shift.by[k % 3];
-        const float narrow = (float)number;
-        memcpy(bytes + k * all->write_bytes, all->write_bytes == sizeof narrow ? (const void *)&narrow : (const void *)&number,
-               all->write_bytes);
+        to = put_number(number - all->shift.by[k % 3], all->write_bytes == sizeof number, to);
     }
 }
 
@@ -409,7 +360,7 @@ bool pieces_read(const pieces *all, const piece_block *block, void *positions)
     const size_t numbers = NUMBERS * block->count;
     const piece *const p = block->from;
     if (p->format == TRIANGLES_OTHER && !p->ply.faces) {
-        put(&p->whole, block->first, block->count, all->read_bytes, bytes);
+        put(&p->whole, block->first, block->count, all->read_bytes == sizeof(double), bytes);
     } else {
         if (!(p->ply.faces ? ply_piece_read(&p->ply, block->first, block->count, bytes) : read_records(block, bytes)))
             return false;
@@ -419,7 +370,7 @@ bool pieces_read(const pieces *all, const piece_block *block, void *positions)
         }
     }
     if (all->shift.is_wanted)
-        subtract(all, numbers, bytes);
+        subtract(all, numbers, bytes, bytes);
     return true;
 }
 

@@ -1,13 +1,14 @@
-/* indexed_mesh.c - collects vertices and triangles, and cuts polygons into fans, or ear by ear. */
+/* indexed_mesh.c - lists of vertices and faces; cuts polygons into fans, or ear by ear, by threads; and makes a mesh of all. */
 #include "mesh.h"
 
-#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "console/system.h"
+#include "console/crew.h"
 #include "console/message.h"
+#include "console/system.h"
+#include "mesh_file.h"
 
 /* Corners that a polygon may have, and that are looked at for each of these: without an end a file could ask for years. */
 enum { CORNERS_MAX = 4096, TESTS_MAX = 1000 };
@@ -20,11 +21,19 @@ typedef struct point {
 typedef struct polygon {
     const indexed_mesh *mesh;
     const uint32_t *face;
-    uint32_t *left; /* places in the face */
+    uint16_t left[CORNERS_MAX]; /* places in the face */
     size_t count;
     int axes[2];
     size_t tests; /* that may still be done */
 } polygon;
+
+static void position_of(const indexed_mesh *m, uint32_t vertex, double position[3])
+{
+    const size_t first = 3 * (size_t)vertex;
+    const bool is_float = m->position_bytes == sizeof(float);
+    for (size_t a = 0; a < 3; a++)
+        position[a] = is_float ? (double)((const float *)m->positions.of)[first + a] : ((const double *)m->positions.of)[first + a];
+}
 
 static void look_along(const double normal[3], polygon *p)
 {
@@ -39,7 +48,7 @@ static void look_along(const double normal[3], polygon *p)
 static point corner(const polygon *p, size_t i)
 {
     double position[3];
-    indexed_mesh_position(p->mesh, p->face[p->left[i % p->count]], position);
+    position_of(p->mesh, p->face[p->left[i % p->count]], position);
     return (point){position[p->axes[0]], position[p->axes[1]]};
 }
 
@@ -86,202 +95,242 @@ static size_t find_ear(polygon *p, size_t from)
     return p->count;
 }
 
-static int add(const char *path, const polygon *p, size_t i, indexed_mesh *m)
+static uint32_t *put_ear(const polygon *p, size_t i, uint32_t *to)
 {
     const size_t n = p->count;
-    return indexed_mesh_add_triangle(path, p->face[p->left[(i + n - 1) % n]], p->face[p->left[i]], p->face[p->left[(i + 1) % n]],
-                                     m);
+    for (size_t v = 0; v < 3; v++)
+        *to++ = p->face[p->left[(i + n - 1 + v) % n]];
+    return to;
 }
 
 /*
- * Adds the triangles of m->face, whose corners are vertices that there are, where ears can be cut off until a triangle is left: a
- * polygon that does not cross itself. normal: of its plane, roughly. *is_cut receives whether it did. Returns an exit_code.
+ * Cuts ears off until a triangle is left, as it is of a polygon that does not cross itself. normal: of its plane, roughly. False
+ * where that fails.
  */
-static int polygon_ears_cut(const char *path, size_t corners, const double normal[3], indexed_mesh *m, bool *is_cut)
+static bool cut_ears(const indexed_mesh *m, const uint32_t *face, size_t corners, const double normal[3], uint32_t *to)
 {
-    const size_t before = m->triangles;
-    *is_cut = false;
-    if (corners > CORNERS_MAX)
-        return EXIT_CODE_OK;
-    int code = indexed_mesh_reserve_face(path, 2 * (uint64_t)corners, m);
-    if (code)
-        return code;
-    polygon p = {.mesh = m, .face = m->face, .left = m->face + corners, .count = corners, .tests = TESTS_MAX * corners};
+    polygon p = {.mesh = m, .face = face, .count = corners, .tests = TESTS_MAX * corners};
     size_t ear = 0;
+    if (corners > CORNERS_MAX)
+        return false;
     for (size_t i = 0; i < corners; i++)
-        p.left[i] = (uint32_t)i;
+        p.left[i] = (uint16_t)i;
     look_along(normal, &p);
-    while (!code && p.count > 3 && (ear = find_ear(&p, ear)) < p.count) {
-        code = add(path, &p, ear, m);
+    while (p.count > 3 && (ear = find_ear(&p, ear)) < p.count) {
+        to = put_ear(&p, ear, to);
         p.count--;
         memmove(p.left + ear, p.left + ear + 1, (p.count - ear) * sizeof *p.left);
     }
-    *is_cut = p.count == 3;
-    if (!code && *is_cut)
-        code = add(path, &p, 1, m);
-    else
-        m->triangles = before;
-    return code;
+    put_ear(&p, 1, to);
+    return p.count == 3;
 }
 
 /* Corners of a polygon that are tried: with all of them a file could ask for years. */
 enum { APEXES_MAX = 64 };
 
-int indexed_mesh_reserve(const char *path, uint64_t vertices, unsigned position_bytes, indexed_mesh *m)
-{
-    if (vertices > UINT32_MAX)
-        return message_failure("%s: %" PRIu64 " vertices, more than 4294967295; split the mesh", path, vertices);
-    const size_t bytes = 3 * position_bytes;
-    void *const positions = vertices < SIZE_MAX / bytes ? realloc(m->positions, (size_t)(vertices + 1) * bytes) : NULL;
-    if (!positions)
-        return message_failure("%s: out of memory for %" PRIu64 " vertices", path, vertices);
-    m->positions = positions;
-    m->position_bytes = position_bytes;
-    m->vertices_max = (size_t)vertices;
-    return EXIT_CODE_OK;
-}
-
-void indexed_mesh_add_vertex(const double position[3], indexed_mesh *m)
-{
-    const size_t first = 3 * m->vertices++;
-    if (m->position_bytes == sizeof(double))
-        memcpy((double *)m->positions + first, position, sizeof(double[3]));
-    else
-        for (size_t a = 0; a < 3; a++)
-            ((float *)m->positions)[first + a] = (float)position[a];
-}
-
-/* In place: number i ends before number i + 1 begins. */
-void indexed_mesh_narrow(indexed_mesh *m)
-{
-    unsigned char *const bytes = m->positions;
-    if (m->position_bytes == sizeof(float) || m->fit == FLOAT_FIT_NONE)
-        return;
-    for (size_t i = 0; i < 3 * m->vertices; i++) {
-        double number;
-        memcpy(&number, bytes + i * sizeof number, sizeof number);
-        const float nearest = (float)number;
-        memcpy(bytes + i * sizeof nearest, &nearest, sizeof nearest);
-    }
-    m->position_bytes = sizeof(float);
-}
-
-int indexed_mesh_reserve_face(const char *path, uint64_t corners, indexed_mesh *m)
-{
-    if (corners <= m->face_max)
-        return EXIT_CODE_OK;
-    uint32_t *const face = corners <= SIZE_MAX / (2 * sizeof *face) ? realloc(m->face, 2 * (size_t)corners * sizeof *face) : NULL;
-    if (!face)
-        return message_failure("%s: out of memory for a face with %" PRIu64 " corners", path, corners);
-    m->face = face;
-    m->face_max = 2 * (size_t)corners;
-    return EXIT_CODE_OK;
-}
-
-int indexed_mesh_add_triangle(const char *path, uint32_t a, uint32_t b, uint32_t c, indexed_mesh *m)
-{
-    uint32_t *const corners = m->triangles < m->triangles_max
-                                  ? m->corners
-                                  : memory_grow(m->corners, m->triangles + 1, &m->triangles_max, sizeof(uint32_t[3]));
-    if (!corners)
-        return message_failure("%s: out of memory for more than %zu triangles", path, m->triangles);
-    m->corners = corners;
-    memcpy(corners + 3 * m->triangles++, (uint32_t[3]){a, b, c}, sizeof(uint32_t[3]));
-    return EXIT_CODE_OK;
-}
-
 typedef struct vector {
     double x, y, z;
 } vector;
 
-void indexed_mesh_position(const indexed_mesh *m, uint32_t vertex, double position[3])
-{
-    const size_t first = 3 * (size_t)vertex;
-    const bool is_float = m->position_bytes == sizeof(float);
-    for (size_t a = 0; a < 3; a++)
-        position[a] = is_float ? (double)((const float *)m->positions)[first + a] : ((const double *)m->positions)[first + a];
-}
-
 static vector difference(const indexed_mesh *m, uint32_t to, uint32_t from)
 {
     double p[3], q[3];
-    indexed_mesh_position(m, to, p);
-    indexed_mesh_position(m, from, q);
+    position_of(m, to, p);
+    position_of(m, from, q);
     return (vector){p[0] - q[0], p[1] - q[1], p[2] - q[2]};
 }
 
 static double dot(vector a, vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /* Triangle k of the fan around corner `first`: a normal as long as twice its area. */
-static vector fan_normal(const indexed_mesh *m, size_t corners, size_t first, size_t k)
+static vector fan_normal(const indexed_mesh *m, const uint32_t *face, size_t corners, size_t first, size_t k)
 {
-    const uint32_t *face = m->face, apex = face[first];
+    const uint32_t apex = face[first];
     const vector a = difference(m, face[(first + k + 1) % corners], apex), b = difference(m, face[(first + k + 2) % corners], apex);
     return (vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /* A corner sees all of a polygon where no triangle of its fan is turned over, but for rounding. */
-static bool sees_all(const indexed_mesh *m, size_t corners, size_t first, vector normal)
+static bool sees_all(const indexed_mesh *m, const uint32_t *face, size_t corners, size_t first, vector normal)
 {
     for (size_t k = 0; k + 2 < corners; k++)
-        if (dot(fan_normal(m, corners, first, k), normal) < -1e-6 * dot(normal, normal))
+        if (dot(fan_normal(m, face, corners, first, k), normal) < -1e-6 * dot(normal, normal))
             return false;
     return true;
 }
 
 /* The sum of a fan's normals, whichever its corner. */
-static vector face_normal(const indexed_mesh *m, size_t corners)
+static vector face_normal(const indexed_mesh *m, const uint32_t *face, size_t corners)
 {
     vector normal = {0, 0, 0};
     for (size_t k = 0; k + 2 < corners; k++) {
-        const vector part = fan_normal(m, corners, 0, k);
+        const vector part = fan_normal(m, face, corners, 0, k);
         normal = (vector){normal.x + part.x, normal.y + part.y, normal.z + part.z};
     }
     return normal;
 }
 
-static bool find_apex(const indexed_mesh *m, size_t corners, vector normal, size_t *apex)
+static bool find_apex(const indexed_mesh *m, const uint32_t *face, size_t corners, vector normal, size_t *apex)
 {
     for (*apex = 0; *apex < corners && *apex < APEXES_MAX; ++*apex)
-        if (sees_all(m, corners, *apex, normal))
+        if (sees_all(m, face, corners, *apex, normal))
             return true;
     *apex = 0;
     return false;
 }
 
-static int add_fan(const char *path, size_t corners, size_t apex, indexed_mesh *m)
+bool polygon_cut(const indexed_mesh *m, const uint32_t *face, size_t corners, uint32_t *triangles)
 {
-    const uint32_t *const face = m->face;
-    int code = EXIT_CODE_OK;
-    for (size_t k = 0; !code && k + 2 < corners; k++)
-        code = indexed_mesh_add_triangle(path, face[apex], face[(apex + k + 1) % corners], face[(apex + k + 2) % corners], m);
-    return code;
-}
-
-static int add_polygon(const char *path, size_t corners, indexed_mesh *m)
-{
-    const vector n = face_normal(m, corners);
     size_t apex = 0;
-    bool is_cut = find_apex(m, corners, n, &apex);
-    if (is_cut)
-        return add_fan(path, corners, apex, m);
-    const int code = polygon_ears_cut(path, corners, (const double[3]){n.x, n.y, n.z}, m, &is_cut);
-    if (code || is_cut)
-        return code;
-    m->miscut++;
-    return add_fan(path, corners, 0, m);
+    bool is_cut = corners <= 3;
+    if (!is_cut) {
+        const vector n = face_normal(m, face, corners);
+        is_cut = find_apex(m, face, corners, n, &apex);
+        if (!is_cut && cut_ears(m, face, corners, (const double[3]){n.x, n.y, n.z}, triangles))
+            return true;
+    }
+    for (size_t k = 1; k + 1 < corners; k++, triangles += 3) {
+        triangles[0] = face[apex];
+        triangles[1] = face[(apex + k) % corners];
+        triangles[2] = face[(apex + k + 1) % corners];
+    }
+    return is_cut;
 }
 
-int indexed_mesh_add_face(const char *path, size_t corners, indexed_mesh *m)
+void *page_list_add(size_t count, size_t each, page_list *list)
 {
-    m->left_out += corners == 1 || corners == 2;
-    return corners > 3 ? add_polygon(path, corners, m) : add_fan(path, corners, 0, m);
+    void *const of = memory_grow_pages(list->of, list->count + count, &list->room, each);
+    if (!of)
+        return NULL;
+    list->of = of;
+    list->count += count;
+    return (char *)of + (list->count - count) * each;
+}
+
+/* Faces that follow each other, and how many corners and triangles come before them. */
+typedef struct face_block {
+    size_t first, count, corner, triangle, miscut;
+} face_block;
+
+typedef struct cutting {
+    indexed_mesh *m;
+    uint32_t *triangles;
+    face_block next;
+} cutting;
+
+static size_t triangles_of(uint32_t size) { return size > 2 ? size - 2 : 0; }
+
+static void *make_block(void *data)
+{
+    (void)data;
+    return malloc(sizeof(face_block));
+}
+
+static bool find_block(void *data, void *place, size_t n)
+{
+    enum { MOST = 2048 };
+    cutting *const c = data;
+    face_block *const b = &c->next;
+    (void)n;
+    const uint32_t *const sizes = c->m->sizes.of;
+    b->first += b->count;
+    const size_t left = c->m->sizes.count - b->first;
+    b->count = left < MOST ? left : MOST;
+    *(face_block *)place = *b;
+    for (size_t i = b->first; i < b->first + b->count; i++) {
+        b->corner += sizes[i];
+        b->triangle += triangles_of(sizes[i]);
+    }
+    return b->count;
+}
+
+static int cut_block(void *data, void *place, size_t n)
+{
+    const cutting *const c = data;
+    face_block *const b = place;
+    const uint32_t *const sizes = (const uint32_t *)c->m->sizes.of + b->first,
+                          *face = (const uint32_t *)c->m->corners.of + b->corner;
+    uint32_t *to = c->triangles + 3 * b->triangle;
+    (void)n;
+    for (size_t i = 0; i < b->count; i++) {
+        b->miscut += !polygon_cut(c->m, face, sizes[i], to);
+        face += sizes[i];
+        to += 3 * triangles_of(sizes[i]);
+    }
+    return 0;
+}
+
+static int tell_block(void *data, void *place, size_t n)
+{
+    (void)n;
+    ((cutting *)data)->m->miscut += ((const face_block *)place)->miscut;
+    return 0;
+}
+
+bool indexed_mesh_cut(unsigned threads, indexed_mesh *m)
+{
+    const uint32_t *const sizes = m->sizes.of;
+    size_t triangles = 0, others = 0;
+    for (size_t i = 0; i < m->sizes.count; i++) {
+        triangles += triangles_of(sizes[i]);
+        others += sizes[i] != 3;
+        m->left_out += sizes[i] == 1 || sizes[i] == 2;
+    }
+    page_list cut = {.of = NULL};
+    cutting c = {.m = m, .triangles = others ? page_list_add(3 * triangles, sizeof *c.triangles, &cut) : NULL};
+    const crew_work work = {
+        .threads = threads, .begin = make_block, .end = free, .find = find_block, .step = cut_block, .tell = tell_block};
+    if (!others)
+        return true;
+    const bool is_cut = c.triangles && !crew_do(&work, &c);
+    pages_free(m->corners.of, m->corners.room * sizeof *c.triangles);
+    m->corners = cut;
+    return is_cut;
+}
+
+/* For free(). */
+static void *copy(const page_list *list, size_t each)
+{
+    void *const to = malloc(list->count * each);
+    return to ? memcpy(to, list->of, list->count * each) : NULL;
+}
+
+static bool take_doubles(const indexed_mesh *from, size_t triangles, unsigned threads, mesh *m)
+{
+    double *const positions = copy(&from->positions, sizeof(double[3]));
+    uint32_t *const corners = from->is_soup ? NULL : copy(&from->corners, sizeof *corners);
+    const bool is_taken = positions && (corners || from->is_soup);
+    mesh_set_doubles(positions, from->positions.count, corners, triangles, m);
+    if (is_taken)
+        mesh_look_all(threads, m);
+    return is_taken;
+}
+
+int mesh_take(const char *path, indexed_mesh *from, bool is_wide, unsigned threads, mesh *m)
+{
+    const bool are_doubles = from->position_bytes == sizeof(double) && (is_wide || from->fit == FLOAT_FIT_NONE);
+    bool is_taken = from->is_soup || indexed_mesh_cut(threads, from);
+    const tribox_mesh all = {.positions = from->positions.of,
+                             .vertices = from->positions.count,
+                             .indices = from->is_soup ? NULL : from->corners.of,
+                             .index_bytes = sizeof(uint32_t),
+                             .count = (from->is_soup ? from->positions.count : from->corners.count) / 3,
+                             .position_bytes = from->position_bytes};
+    m->left_out = from->left_out;
+    m->miscut = from->miscut;
+    if (is_taken && (!all.count || !are_doubles)) {
+        const int code = mesh_make_room(path, all.count, m);
+        if (code)
+            return code;
+    }
+    is_taken = is_taken && (are_doubles ? take_doubles(from, all.count, threads, m) : mesh_fill(&all, threads, m));
+    return is_taken || !path ? !is_taken : message_failure("%s: out of memory for its triangles" MESH_TO_SORT, path);
 }
 
 void indexed_mesh_free(indexed_mesh *m)
 {
-    free(m->positions);
-    free(m->corners);
-    free(m->face);
-    *m = (indexed_mesh){.positions = NULL};
+    pages_free(m->positions.of, m->positions.room * 3 * m->position_bytes);
+    pages_free(m->corners.of, m->corners.room * sizeof(uint32_t));
+    pages_free(m->sizes.of, m->sizes.room * sizeof(uint32_t));
+    *m = (indexed_mesh){.position_bytes = 0};
 }

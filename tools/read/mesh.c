@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "mesh.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,12 +19,35 @@ static plain_reader *find_plain_reader(const char *path, const plain_file *file)
     return words_next(&first) && !words_is_cut(&first) ? readers[mesh_kind_by(path, &first)] : NULL;
 }
 
+/* Number i of the floats ends before number i + 1 of the doubles begins. */
+static double round_number(unsigned char *bytes, size_t i, double origin)
+{
+    double number;
+    memcpy(&number, bytes + i * sizeof number, sizeof number);
+    const double relative = number - origin;
+    const float nearest = (float)relative;
+    memcpy(bytes + i * sizeof nearest, &nearest, sizeof nearest);
+    return isfinite(nearest) ? fabs(relative - (double)nearest) : 0;
+}
+
+/* Rounds the doubles to floats, in place, after the origin is subtracted, and counts those that this has moved. */
+static void round_all(const double origin[3], mesh *m)
+{
+    for (size_t v = 0; v < m->doubles.vertices; v++) {
+        double most = 0;
+        for (size_t a = 0; a < 3; a++)
+            most = fmax(most, round_number(m->positions, 3 * v + a, origin[a]));
+        m->rounded += most > 0;
+        m->moved = fmax(m->moved, most);
+    }
+}
+
 int mesh_to_floats(const char *path, const double origin[3], mesh *m)
 {
     if (!m->is_double)
         return EXIT_CODE_OK;
     tribox_mesh all = m->doubles;
-    mesh_round(origin, m);
+    round_all(origin, m);
     all.position_bytes = sizeof(float);
     all.stride = 0;
     int code = mesh_make_room(path, all.count, m);
@@ -54,7 +78,7 @@ static int read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned 
 {
     const char *const path = triangle_file_name(from);
     whole_file file;
-    indexed_mesh indexed = {.positions = NULL};
+    indexed_mesh indexed = {.position_bytes = 0};
     int code = whole_file_read(from, kind, &file);
     if (!code && kind == MESH_OTHER) {
         words first = words_of(path, &file, '#');
@@ -66,15 +90,10 @@ static int read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned 
     if (!code && kind != MESH_OTHER)
         code = scan_read(path, kind, &file, &indexed);
     whole_file_free(&file);
-    if (!code && kind == MESH_OTHER) {
-        code = read_by_assimp(path, m);
-        m->triangles = m->soup.count;
+    if (!code && kind != MESH_OTHER)
+        code = mesh_take(path, &indexed, is_wide, threads, m);
+    else if (!code && !(code = read_by_assimp(path, m)))
         mesh_look_all(threads, m);
-    } else if (!code && !indexed.triangles) {
-        code = mesh_make_room(path, 0, m);
-    } else if (!code && !mesh_take(&indexed, is_wide, threads, m)) {
-        code = message_failure("%s: out of memory for %zu triangles" MESH_TO_SORT, path, indexed.triangles);
-    }
     indexed_mesh_free(&indexed);
     return code;
 }
@@ -118,14 +137,9 @@ int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsig
     return code;
 }
 
-int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m)
-{
-    return mesh_read_over(path, format, false, threads, NULL, m);
-}
-
 int mesh_read(const char *path, mesh *m)
 {
-    int code = mesh_read_as(path, TRIANGLES_OTHER, 1, m);
+    int code = mesh_read_over(path, TRIANGLES_OTHER, false, 1, NULL, m);
     if (code)
         return code;
     code = mesh_to_floats(path, (const double[3]){0, 0, 0}, m);

@@ -12,9 +12,19 @@ typedef struct lanes {
     float lo[LANES], hi[LANES], sound[LANES]; /* sound: 0, or NaN where something is not finite */
 } lanes;
 
-mesh_look mesh_look_none(void)
+/* What a look at triangles finds, as the mesh has it of all. */
+typedef struct seen {
+    size_t not_finite, first;
+    tribox_box bounds;
+} seen;
+
+static const seen nothing = {.first = SIZE_MAX, .bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}};
+
+void mesh_look_begin(mesh *m)
 {
-    return (mesh_look){.first = SIZE_MAX, .bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}};
+    m->not_finite = nothing.not_finite;
+    m->first_not_finite = nothing.first;
+    m->bounds = nothing.bounds;
 }
 
 static void add_number(double number, int axis, tribox_box *bounds)
@@ -31,7 +41,7 @@ static bool is_finite_nine(const double u[9])
     return is_finite;
 }
 
-static void look_at_each(const mesh *m, size_t first, size_t count, mesh_look *look)
+static void look_at_each(const mesh *m, size_t first, size_t count, seen *look)
 {
     for (size_t t = first; t < first + count; t++) {
         double u[9];
@@ -60,7 +70,7 @@ static void look_at_stream(const float *numbers, size_t count, lanes *found)
 }
 
 /* Returns false, with nothing added, where something is not finite. count: a multiple of LANES. */
-static bool look_in_lanes(const mesh *m, size_t first, size_t count, mesh_look *look)
+static bool look_in_lanes(const mesh *m, size_t first, size_t count, seen *look)
 {
     const float *const *const streams[3] = {m->soup.x, m->soup.y, m->soup.z};
     lanes axes[3];
@@ -84,35 +94,30 @@ static bool look_in_lanes(const mesh *m, size_t first, size_t count, mesh_look *
     return sound == 0;
 }
 
-void mesh_look_at(const mesh *m, size_t first, size_t count, mesh_look *look)
+void mesh_look_add(size_t first, size_t count, mesh *m)
 {
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; /* of what meshes have, whichever it is */
     const size_t whole = m->is_double ? 0 : count / LANES * LANES;
-    const size_t done = whole && look_in_lanes(m, first, whole, look) ? whole : 0;
-    look_at_each(m, first + done, count - done, look);
-}
-
-void mesh_look_add(const mesh *m, size_t first, size_t count, mesh_look *all)
-{
-    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; /* of `all`, whichever it is */
-    mesh_look own = mesh_look_none();
-    mesh_look_at(m, first, count, &own);
+    seen own = nothing;
+    const size_t done = whole && look_in_lanes(m, first, whole, &own) ? whole : 0;
+    look_at_each(m, first + done, count - done, &own);
     pthread_mutex_lock(&lock);
-    all->not_finite += own.not_finite;
-    all->first = own.first < all->first ? own.first : all->first;
+    m->not_finite += own.not_finite;
+    m->first_not_finite = own.first < m->first_not_finite ? own.first : m->first_not_finite;
     for (int a = 0; a < 3 && own.bounds.lo[0] <= own.bounds.hi[0]; a++) {
-        add_number(own.bounds.lo[a], a, &all->bounds);
-        add_number(own.bounds.hi[a], a, &all->bounds);
+        add_number(own.bounds.lo[a], a, &m->bounds);
+        add_number(own.bounds.hi[a], a, &m->bounds);
     }
     pthread_mutex_unlock(&lock);
 }
 
-bool mesh_look_put(const tribox_mesh *from, size_t begin, size_t count, size_t first, mesh *m, mesh_look *all)
+bool mesh_look_put(const tribox_mesh *from, size_t begin, size_t count, size_t first, mesh *m)
 {
     float *to[9];
     mesh_streams(m, first, to);
     if (tribox_mesh_to_soup(from, NULL, begin, count, NULL, to, to + 3, to + 6))
         return false;
-    mesh_look_add(m, first, count, all);
+    mesh_look_add(first, count, m);
     return true;
 }
 
@@ -129,11 +134,9 @@ static double first_zero(const mesh *m, int axis)
     return 0;
 }
 
-void mesh_look_keep(const mesh_look *all, mesh *m)
+void mesh_look_end(mesh *m)
 {
-    m->not_finite = all->not_finite;
-    m->first_not_finite = all->not_finite ? all->first : m->triangles;
-    m->bounds = all->bounds;
+    m->first_not_finite = m->not_finite ? m->first_not_finite : m->triangles;
     for (int a = 0; a < 3; a++) {
         if (m->bounds.lo[a] == 0)
             m->bounds.lo[a] = first_zero(m, a);
@@ -145,26 +148,25 @@ void mesh_look_keep(const mesh_look *all, mesh *m)
 typedef struct looking {
     const tribox_mesh *from; /* that the streams are filled with; NULL: they are as they will be */
     mesh *m;
-    mesh_look all;
 } looking;
 
 static int look_at_block(void *data, void *place, size_t n)
 {
-    looking *const l = data;
+    const looking *const l = data;
     const size_t first = n * BLOCK, left = l->m->triangles - first, count = left < BLOCK ? left : BLOCK;
     (void)place;
     if (l->from)
-        return !mesh_look_put(l->from, first, count, first, l->m, &l->all);
-    mesh_look_add(l->m, first, count, &l->all);
+        return !mesh_look_put(l->from, first, count, first, l->m);
+    mesh_look_add(first, count, l->m);
     return 0;
 }
 
 static bool look_by_threads(const tribox_mesh *from, unsigned threads, mesh *m)
 {
-    looking l = {.from = from, .m = m, .all = mesh_look_none()};
     const crew_work work = {.threads = threads, .count = (m->triangles + BLOCK - 1) / BLOCK, .step = look_at_block};
-    const bool is_done = !crew_do(&work, &l);
-    mesh_look_keep(&l.all, m);
+    mesh_look_begin(m);
+    const bool is_done = !crew_do(&work, &(looking){from, m});
+    mesh_look_end(m);
     return is_done;
 }
 
@@ -174,22 +176,4 @@ bool mesh_fill(const tribox_mesh *from, unsigned threads, mesh *m)
 {
     m->triangles = m->soup.count = from->count;
     return look_by_threads(from, threads, m);
-}
-
-bool mesh_take(indexed_mesh *from, bool is_wide, unsigned threads, mesh *m)
-{
-    const tribox_mesh all = {.positions = from->positions,
-                             .vertices = from->vertices,
-                             .indices = from->corners,
-                             .index_bytes = sizeof *from->corners,
-                             .count = from->triangles,
-                             .position_bytes = from->position_bytes};
-    m->left_out = from->left_out;
-    m->miscut = from->miscut;
-    if (from->position_bytes == sizeof(float) || (!is_wide && from->fit != FLOAT_FIT_NONE))
-        return mesh_take_room(from->triangles, m) && mesh_fill(&all, threads, m);
-    mesh_set_doubles(from->positions, from->vertices, from->corners, from->triangles, m);
-    from->positions = from->corners = NULL;
-    mesh_look_all(threads, m);
-    return true;
 }

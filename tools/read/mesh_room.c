@@ -2,7 +2,6 @@
 #include "mesh.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,32 +28,15 @@ static void point_streams(float *coordinates, size_t capacity, mesh *m)
     }
 }
 
-bool mesh_take_room(uint64_t count, mesh *m)
-{
-    float *const coordinates = count <= SIZE_MAX / TRIANGLE_BYTES ? pages_take((size_t)count * TRIANGLE_BYTES) : NULL;
-    if (coordinates)
-        point_streams(coordinates, (size_t)count, m);
-    return coordinates;
-}
-
 int mesh_make_room(const char *path, uint64_t count, mesh *m)
 {
-    if (!count)
-        return message_failure("%s: contains no triangles (points or lines at most); give a mesh with faces", path);
-    return mesh_take_room(count, m) ? EXIT_CODE_OK
-                                    : message_failure("%s: out of memory for %" PRIu64 " triangles" MESH_TO_SORT, path, count);
-}
-
-bool mesh_grow(uint64_t count, mesh *m)
-{
-    mesh grown = {.soup.count = m->soup.count};
-    if (!mesh_take_room(count, &grown))
-        return false;
-    for (size_t k = 0; k < 9 && m->soup.count; k++)
-        memcpy(grown.coordinates + k * grown.capacity, m->coordinates + k * m->capacity, m->soup.count * sizeof(float));
-    pages_free(m->coordinates, m->capacity * TRIANGLE_BYTES);
-    point_streams(grown.coordinates, grown.capacity, m);
-    return true;
+    float *const coordinates = count && count <= SIZE_MAX / TRIANGLE_BYTES ? pages_take((size_t)count * TRIANGLE_BYTES) : NULL;
+    if (coordinates)
+        point_streams(coordinates, (size_t)count, m);
+    if (coordinates || !path)
+        return coordinates ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+    return count ? message_failure("%s: out of memory for %" PRIu64 " triangles" MESH_TO_SORT, path, count)
+                 : message_failure("%s: contains no triangles (points or lines at most); give a mesh with faces", path);
 }
 
 void mesh_drop_floats(mesh *m)
@@ -87,28 +69,6 @@ void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, siz
                                .index_bytes = sizeof *corners,
                                .count = triangles,
                                .position_bytes = sizeof *positions};
-}
-
-/* Number i of the floats ends before number i + 1 of the doubles begins. */
-static double round_number(unsigned char *bytes, size_t i, double origin)
-{
-    double number;
-    memcpy(&number, bytes + i * sizeof number, sizeof number);
-    const double relative = number - origin;
-    const float nearest = (float)relative;
-    memcpy(bytes + i * sizeof nearest, &nearest, sizeof nearest);
-    return isfinite(nearest) ? fabs(relative - (double)nearest) : 0;
-}
-
-void mesh_round(const double origin[3], mesh *m)
-{
-    for (size_t v = 0; v < m->doubles.vertices; v++) {
-        double most = 0;
-        for (size_t a = 0; a < 3; a++)
-            most = fmax(most, round_number(m->positions, 3 * v + a, origin[a]));
-        m->rounded += most > 0;
-        m->moved = fmax(m->moved, most);
-    }
 }
 
 void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first)

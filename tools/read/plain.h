@@ -72,34 +72,22 @@ typedef struct text_chunk {
 
 enum { TEXT_AHEAD = 64, TEXT_OVERLAP = 8192 /* bytes of the chunks after it that a chunk has, so that no line may be longer */ };
 
-/* A list that grows. */
-typedef struct text_list {
-    void *of;
-    size_t count, room;
-} text_list;
-
 typedef struct text {
     const plain_file *file;
     uint64_t from;                                         /* where its lines begin */
     bool are_counted;                                      /* the lines */
-    bool has_no_faces;                                     /* each three vertices are a triangle */
     bool (*read)(const struct text *t, text_chunk *chunk); /* of threads at once; false: not plain */
     bool (*join)(struct text *t, const text_chunk *chunk); /* of the chunks in their order; may be NULL */
+    bool (*is_whole)(const struct text *t);                /* whether nothing lacks at the end; may be NULL */
     const ply_element *of_vertices, *of_faces;             /* of PLY */
     uint64_t facets_end;                                   /* of STL, of the chunks that are joined, as theirs */
     bool is_inside;
-
-    text_list positions, corners, sizes;
-    float_fit fit;
-    uint32_t highest;
-    size_t left_out, miscut;
-    bool has_polygons;
+    indexed_mesh all;
+    uint32_t highest; /* as theirs */
 } text;
 
-/* Reads a text into the lists; then makes the mesh. Each is false where it is not plain. text_free may follow in any case. */
-bool text_read(text *t);
-bool text_make(text *t, mesh *m);
-void text_free(text *t);
+/* Reads a text, and makes a mesh of it. False where it is not plain. */
+bool text_read(text *t, mesh *m);
 
 /* Adds a face of the last `size` corners. */
 static inline void text_add_face(uint32_t size, text_chunk *chunk) { chunk->sizes[chunk->faces++] = size; }

@@ -1,6 +1,4 @@
 /* plain_ply_binary.c - binary PLY files of triangles: threads take blocks of vertices in turn, then of faces. */
-#include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,72 +6,55 @@
 #include "console/message.h"
 #include "console/system.h"
 #include "files/files.h"
-#include "little.h"
-#include "mesh.h"
 #include "plain.h"
-#include "mesh_file.h"
+
+/* Vertices or faces: of a block, at least and at most, and so many that a thread takes less time to start than to read them. */
+enum { BLOCK_LEAST = 512, BLOCK = 4096, BLOCKS_EACH = 8, STARTED = 1 << 16 };
 
 /* Vertices of floats, and faces of corners of 32 bits, all of them triangles. */
-typedef struct ply_records {
+typedef struct ply_binary {
+    const plain_file *file;
     ply_layout in;
-    size_t vertices, faces, face_bytes, count_bytes;
-} ply_records;
+    size_t vertices, faces, face_bytes;
+    float *positions;
+    mesh *m;
+    size_t block; /* faces of one */
+} ply_binary;
 
-static bool ply_records_of(const ply_header *h, uint64_t size, ply_records *r)
-{
-    ply_layout *const in = &r->in;
-    if (!ply_layout_of(h, size, in) || in->number != PLY_FLOAT || (in->corner != PLY_INT32 && in->corner != PLY_UINT32))
-        return false;
-    r->count_bytes = ply_type_size(in->count);
-    r->face_bytes = in->before + r->count_bytes + sizeof(uint32_t[3]) + in->after;
-    r->vertices = (size_t)in->vertices;
-    r->faces = (size_t)in->faces;
-    return in->faces <= (size - in->faces_at) / r->face_bytes && in->faces <= SIZE_MAX / sizeof(float[9]);
-}
+static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 
-/* The order of the bytes of this machine is that of `is_big`, or not; either is right. */
-static inline uint32_t load(const unsigned char *from, bool is_big)
-{
-    return is_big ? (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3] : little_get32(from);
-}
-
-/* For free(). */
-static unsigned char *read_block(FILE *stream, uint64_t at, size_t bytes)
+static bool read_bytes(const ply_binary *p, uint64_t at, void *to, size_t bytes)
 {
     size_t got;
-    unsigned char *const block = malloc(bytes);
-    if (block && (!named_file_read_at(stream, at, block, bytes, &got) || got < bytes)) {
-        free(block);
-        return NULL;
-    }
-    return block;
+    return to && named_file_read_at(p->file->stream, at, to, bytes, &got) && got == bytes;
 }
 
 /* Whether vertices stand in the file as they do in memory. */
-static bool is_as_in_memory(const ply_records *r)
+static bool is_as_in_memory(const ply_layout *in)
 {
     const uint32_t one = 1;
-    unsigned char bytes[sizeof one];
-    memcpy(bytes, &one, sizeof one);
-    return r->in.vertex == sizeof(float[3]) && r->in.axes[1] == 4 && r->in.axes[2] == 8 && load(bytes, r->in.is_big) == one;
+    return in->vertex == sizeof(float[3]) && in->axes[1] == 4 && in->axes[2] == 8 && ply_bits(&one, sizeof one, in->is_big) == one;
 }
 
-/* Reads a block of vertices to where all positions are; or of faces, of which none may have other than three corners. */
-static bool ply_records_vertices(const ply_records *r, FILE *stream, size_t first, size_t count, float *positions)
+static int take_vertices(void *data, void *place, size_t step)
 {
-    const uint64_t at = r->in.vertices_at + first * r->in.vertex;
-    const size_t bytes = count * r->in.vertex;
-    size_t got;
-    if (is_as_in_memory(r))
-        return named_file_read_at(stream, at, positions + 3 * first, bytes, &got) && got == bytes;
-    unsigned char *const block = read_block(stream, at, bytes);
-    for (size_t i = 0; block && i < count; i++)
-        for (size_t a = 0; a < 3; a++) {
-            const uint32_t bits = load(block + i * r->in.vertex + r->in.axes[a], r->in.is_big);
-            memcpy(positions + 3 * (first + i) + a, &bits, sizeof bits);
+    const ply_binary *const p = data;
+    const ply_layout *const in = &p->in;
+    const size_t first = step * BLOCK, count = least(BLOCK, p->vertices - first), bytes = count * in->vertex;
+    const uint64_t at = in->vertices_at + first * in->vertex;
+    float *to = p->positions + 3 * first;
+    (void)place;
+    if (is_as_in_memory(in))
+        return !read_bytes(p, at, to, bytes);
+    unsigned char *const block = malloc(bytes);
+    const bool is_read = read_bytes(p, at, block, bytes);
+    for (size_t i = 0; is_read && i < count; i++)
+        for (size_t a = 0; a < 3; a++, to++) {
+            const uint32_t bits = (uint32_t)ply_bits(block + i * in->vertex + in->axes[a], sizeof bits, in->is_big);
+            memcpy(to, &bits, sizeof bits);
         }
     free(block);
-    return block;
+    return !is_read;
 }
 
 /* Returns whether all faces are triangles: their counts are 3 in the one byte, 0 in others. */
@@ -86,92 +67,67 @@ static inline bool take_corners(const unsigned char *list, size_t count, size_t 
         for (size_t b = 0; b < count_bytes; b++)
             other |= (unsigned char)(list[b] ^ (b == lowest ? 3 : 0));
         for (size_t v = 0; v < 3; v++)
-            corners[3 * i + v] = load(list + count_bytes + 4 * v, is_big);
+            corners[3 * i + v] = (uint32_t)ply_bits(list + count_bytes + 4 * v, sizeof *corners, is_big);
     }
     return !other;
-}
-
-static bool ply_records_faces(const ply_records *r, FILE *stream, size_t first, size_t count, uint32_t *corners)
-{
-    unsigned char *const block = read_block(stream, r->in.faces_at + first * r->face_bytes, count * r->face_bytes);
-    const unsigned char *const lists = block ? block + r->in.before : NULL;
-    bool is_taken = block;
-    if (block && r->count_bytes == 1 && !r->in.is_big)
-        is_taken = take_corners(lists, count, r->face_bytes, 1, false, corners);
-    else if (block)
-        is_taken = take_corners(lists, count, r->face_bytes, r->count_bytes, r->in.is_big, corners);
-    free(block);
-    return is_taken;
-}
-
-/* Vertices or faces: of a block, at least and at most, and so many that a thread takes less time to start than to read them. */
-enum { BLOCK_LEAST = 512, BLOCK = 4096, BLOCKS_EACH = 8, STARTED = 1 << 16 };
-
-typedef struct ply_binary {
-    const plain_file *file;
-    ply_records records;
-    float *positions;
-    mesh *m;
-    size_t block; /* faces of one */
-    mesh_look look;
-} ply_binary;
-
-static size_t least(size_t a, size_t b) { return a < b ? a : b; }
-
-static int take_vertices(void *data, void *place, size_t step)
-{
-    ply_binary *const p = data;
-    const size_t first = step * BLOCK, count = least(BLOCK, p->records.vertices - first);
-    (void)place;
-    return !ply_records_vertices(&p->records, p->file->stream, first, count, p->positions);
 }
 
 static int take_faces(void *data, void *place, size_t step)
 {
     ply_binary *const p = data;
-    const size_t first = step * p->block, count = least(p->block, p->records.faces - first);
+    const ply_layout *const in = &p->in;
+    const size_t first = step * p->block, count = least(p->block, p->faces - first), bytes = count * p->face_bytes;
+    unsigned char *const faces = malloc(bytes);
     uint32_t *const corners = malloc(count * sizeof(uint32_t[3]));
-    const tribox_mesh block = {.positions = p->positions,
-                               .vertices = p->records.vertices,
-                               .indices = corners,
-                               .index_bytes = sizeof *corners,
-                               .count = count};
+    const tribox_mesh block = {
+        .positions = p->positions, .vertices = p->vertices, .indices = corners, .index_bytes = sizeof *corners, .count = count};
     (void)place;
-    const bool is_taken = corners && ply_records_faces(&p->records, p->file->stream, first, count, corners) &&
-                          mesh_look_put(&block, 0, count, first, p->m, &p->look);
-    reading_tell((double)first / (double)p->records.faces);
+    bool is_taken = corners && read_bytes(p, in->faces_at + first * p->face_bytes, faces, bytes);
+    if (is_taken && in->count_bytes == 1 && !in->is_big) /* the usual ones */
+        is_taken = take_corners(faces + in->before, count, p->face_bytes, 1, false, corners);
+    else if (is_taken)
+        is_taken = take_corners(faces + in->before, count, p->face_bytes, in->count_bytes, in->is_big, corners);
+    is_taken = is_taken && mesh_look_put(&block, 0, count, first, p->m);
+    reading_tell((double)first / (double)p->faces);
+    free(faces);
     free(corners);
     return !is_taken;
 }
 
 static bool read_all(ply_binary *p)
 {
-    const size_t vertices = p->records.vertices, faces = p->records.faces, gaining = 1 + faces / STARTED;
+    const size_t gaining = 1 + p->faces / STARTED;
     const unsigned threads = (unsigned)least(p->file->threads, gaining);
-    const size_t block = faces / (BLOCKS_EACH * threads);
+    const size_t block = p->faces / (BLOCKS_EACH * threads);
     p->block = block < BLOCK_LEAST ? BLOCK_LEAST : least(block, BLOCK);
-    if (!mesh_take_room(faces, p->m))
+    const crew_work first = {.threads = threads, .count = (p->vertices + BLOCK - 1) / BLOCK, .step = take_vertices};
+    const crew_work second = {.threads = threads, .count = (p->faces + p->block - 1) / p->block, .step = take_faces};
+    if (mesh_make_room(NULL, p->faces, p->m))
         return false;
+    mesh_look_begin(p->m);
     reading_begin();
-    const crew_work first = {.threads = threads, .count = (vertices + BLOCK - 1) / BLOCK, .step = take_vertices};
-    const crew_work second = {.threads = threads, .count = (faces + p->block - 1) / p->block, .step = take_faces};
     const bool is_read = !crew_do(&first, p) && !crew_do(&second, p);
     reading_end();
-    p->m->triangles = p->m->soup.count = faces;
+    p->m->triangles = p->m->soup.count = p->faces;
     if (is_read)
-        mesh_look_keep(&p->look, p->m);
+        mesh_look_end(p->m);
     return is_read;
 }
 
 static bool plain_ply_binary(const plain_file *file, const ply_header *h, mesh *m)
 {
-    ply_binary p = {.file = file, .m = m, .look = mesh_look_none()};
-    if (!ply_records_of(h, file->size, &p.records))
+    ply_binary p = {.file = file, .m = m};
+    const ply_layout *const in = &p.in;
+    if (!ply_layout_of(h, file->size, &p.in) || in->number != PLY_FLOAT || (in->corner != PLY_INT32 && in->corner != PLY_UINT32))
         return false;
-    const size_t vertices = p.records.vertices, bytes = vertices * sizeof(float[3]);
-    p.positions = vertices <= SIZE_MAX / sizeof(float[3]) ? pages_take(bytes) : NULL;
+    p.face_bytes = in->before + in->count_bytes + sizeof(uint32_t[3]) + in->after;
+    p.vertices = (size_t)in->vertices;
+    p.faces = (size_t)in->faces;
+    if (in->faces > (file->size - in->faces_at) / p.face_bytes || in->vertices > SIZE_MAX / sizeof(float[3]))
+        return false;
+    p.positions = pages_take(p.vertices * sizeof(float[3]));
     const bool is_read = p.positions && read_all(&p);
-    pages_free(p.positions, bytes);
+    pages_free(p.positions, p.vertices * sizeof(float[3]));
     return is_read;
 }
 

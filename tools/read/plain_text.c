@@ -118,13 +118,7 @@ static bool read_obj_lines(const text *t, text_chunk *chunk)
     return c;
 }
 
-bool plain_obj(const plain_file *file, mesh *m)
-{
-    text t = {.file = file, .read = read_obj_lines};
-    const bool is_read = text_read(&t) && text_make(&t, m);
-    text_free(&t);
-    return is_read;
-}
+bool plain_obj(const plain_file *file, mesh *m) { return text_read(&(text){.file = file, .read = read_obj_lines}, m); }
 
 static const char *take_coordinate(const char *c, const ply_property *property, text_chunk *chunk)
 {
@@ -193,7 +187,10 @@ static bool are_plain(const ply_element *vertices, const ply_element *faces)
 }
 
 /* Lines may be missing at the end of the file. */
-static bool is_whole(const text *t) { return t->positions.count == t->of_vertices->count && t->sizes.count == t->of_faces->count; }
+static bool is_whole(const text *t)
+{
+    return t->all.positions.count == t->of_vertices->count && t->all.sizes.count == t->of_faces->count;
+}
 
 bool plain_ply_text(const plain_file *file, const ply_header *h, mesh *m)
 {
@@ -201,11 +198,10 @@ bool plain_ply_text(const plain_file *file, const ply_header *h, mesh *m)
               .from = h->size,
               .are_counted = true,
               .read = read_ply_lines,
+              .is_whole = is_whole,
               .of_vertices = &h->elements[0],
               .of_faces = &h->elements[1]};
-    const bool is_read = are_plain(t.of_vertices, t.of_faces) && text_read(&t) && is_whole(&t) && text_make(&t, m);
-    text_free(&t);
-    return is_read;
+    return are_plain(t.of_vertices, t.of_faces) && text_read(&t, m);
 }
 
 /* What follows a word, which is next; else NULL. */
@@ -301,10 +297,10 @@ static bool join_facets(text *t, const text_chunk *chunk)
     return is_joined;
 }
 
+static bool has_ended(const text *t) { return !t->is_inside; }
+
 bool plain_stl(const plain_file *file, mesh *m)
 {
-    text t = {.file = file, .has_no_faces = true, .read = read_facets, .join = join_facets};
-    const bool is_read = text_read(&t) && !t.is_inside && text_make(&t, m);
-    text_free(&t);
-    return is_read;
+    text t = {.file = file, .read = read_facets, .join = join_facets, .is_whole = has_ended, .all.is_soup = true};
+    return text_read(&t, m);
 }

@@ -13,14 +13,6 @@
 
 enum { LINE_SHOWN = 60 };
 
-static const struct {
-    const char *name;
-    ply_type type;
-} types[] = {{"char", PLY_INT8},   {"int8", PLY_INT8},     {"uchar", PLY_UINT8},   {"uint8", PLY_UINT8},
-             {"short", PLY_INT16}, {"int16", PLY_INT16},   {"ushort", PLY_UINT16}, {"uint16", PLY_UINT16},
-             {"int", PLY_INT32},   {"int32", PLY_INT32},   {"uint", PLY_UINT32},   {"uint32", PLY_UINT32},
-             {"float", PLY_FLOAT}, {"float32", PLY_FLOAT}, {"double", PLY_DOUBLE}, {"float64", PLY_DOUBLE}};
-
 size_t ply_type_size(ply_type type)
 {
     static const size_t sizes[] = {[PLY_NONE] = 0,  [PLY_INT8] = 1,   [PLY_UINT8] = 1, [PLY_INT16] = 2, [PLY_UINT16] = 2,
@@ -45,13 +37,14 @@ static bool read_format(words *w, ply_header *h)
     return format < 3;
 }
 
+/* Each type has two names, in the order of the types. */
 static bool read_type(words *w, ply_type *type)
 {
-    *type = PLY_NONE;
-    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
-        if (words_is(w, types[i].name))
-            *type = types[i].type;
-    return *type != PLY_NONE;
+    static const char *const names[] = {"char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
+                                        "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
+    const int n = find(w, names, 16);
+    *type = n < 16 ? (ply_type)(PLY_INT8 + n / 2) : PLY_NONE;
+    return n < 16;
 }
 
 static int count_role(const ply_element *e, ply_role role)
@@ -62,22 +55,18 @@ static int count_role(const ply_element *e, ply_role role)
     return count;
 }
 
+/* Of the colours the first of each name. */
 static ply_role role_of(const words *name, const ply_element *e, bool is_list)
 {
-    static const struct {
-        const char *name;
-        ply_role role;
-    } of_vertices[] = {{"x", PLY_X}, {"y", PLY_Y}, {"z", PLY_Z}},
-      of_both[] = {{"red", PLY_RED},         {"green", PLY_GREEN},         {"blue", PLY_BLUE},
-                   {"diffuse_red", PLY_RED}, {"diffuse_green", PLY_GREEN}, {"diffuse_blue", PLY_BLUE}};
-    for (int i = 0; !is_list && e->kind == PLY_VERTICES && i < 3; i++)
-        if (words_is(name, of_vertices[i].name))
-            return of_vertices[i].role;
-    for (int i = 0; !is_list && e->kind <= PLY_FACES && i < 6; i++)
-        if (words_is(name, of_both[i].name) && !count_role(e, of_both[i].role))
-            return of_both[i].role;
-    const bool is_corners = is_list && (words_is(name, "vertex_indices") || words_is(name, "vertex_index"));
-    return (e->kind == PLY_FACES || e->kind == PLY_STRIPS) && is_corners ? PLY_CORNERS : PLY_SKIPPED;
+    static const char *const names[] = {"x", "y", "z", "red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"};
+    static const ply_role roles[] = {PLY_X, PLY_Y, PLY_Z, PLY_RED, PLY_GREEN, PLY_BLUE, PLY_RED, PLY_GREEN, PLY_BLUE, PLY_SKIPPED};
+    if (is_list) {
+        const bool is_corners = words_is(name, "vertex_indices") || words_is(name, "vertex_index");
+        return (e->kind == PLY_FACES || e->kind == PLY_STRIPS) && is_corners ? PLY_CORNERS : PLY_SKIPPED;
+    }
+    const ply_role role = roles[find(name, names, 9)];
+    const bool is_known = role <= PLY_Z ? e->kind == PLY_VERTICES : e->kind <= PLY_FACES && !count_role(e, role);
+    return is_known ? role : PLY_SKIPPED;
 }
 
 /* property TYPE NAME, or property list COUNT_TYPE TYPE NAME */
@@ -242,8 +231,11 @@ bool ply_layout_of(const ply_header *h, uint64_t size, ply_layout *l)
     *l = (ply_layout){.is_big = h->format == PLY_BIG_ENDIAN, .vertices_at = h->size};
     if (h->element_count < 2 || !lay_vertices(&h->elements[0], l) || !lay_faces(&h->elements[1], l))
         return false;
+    l->number_bytes = ply_type_size(l->number);
+    l->count_bytes = ply_type_size(l->count);
+    l->corner_bytes = ply_type_size(l->corner);
     if (l->vertices > UINT32_MAX || l->vertices > (size - l->vertices_at) / l->vertex)
         return false;
     l->faces_at = l->vertices_at + l->vertices * l->vertex;
-    return l->faces <= (size - l->faces_at) / (l->before + ply_type_size(l->count) + l->after);
+    return l->faces <= (size - l->faces_at) / (l->before + l->count_bytes + l->after);
 }

@@ -61,7 +61,7 @@ int read_by_assimp(const char *path, mesh *m)
     const int code = mesh_make_room(path, counts.triangles, m);
     if (!code) {
         plugin->put(scene, counts.triangles, m->coordinates);
-        m->soup.count = counts.triangles;
+        m->triangles = m->soup.count = counts.triangles;
     }
     plugin->close(scene);
     return code;

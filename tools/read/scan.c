@@ -1,6 +1,7 @@
 /* scan.c - the items of a file, whatever its format, and the mesh that they make. */
 #include "scan.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 
 #include "console/system.h"
@@ -64,66 +65,62 @@ int scan_refer(scan *s, scan_reference reference)
     return EXIT_CODE_OK;
 }
 
-/* Faces may refer to vertices that come after them: then vertices are read first, and faces once more. */
-typedef struct reading {
-    const char *path;
-    const scan *s;
-    indexed_mesh *m;
-    bool has_vertices;   /* all of them are read, so that only faces are wanted */
-    bool is_before_them; /* a face has referred to a vertex after it, so that only vertices are wanted */
-} reading;
-
-static void take_vertex(const reading *r)
+static void take_vertex(const double position[3], indexed_mesh *m)
 {
-    if (!r->has_vertices && r->s->item.which == SCAN_POSITIONS)
-        indexed_mesh_add_vertex(r->s->item.position, r->m);
+    const size_t first = 3 * m->positions.count++;
+    for (size_t a = 0; a < 3; a++)
+        if (m->position_bytes == sizeof(double))
+            ((double *)m->positions.of)[first + a] = position[a];
+        else
+            ((float *)m->positions.of)[first + a] = (float)position[a];
 }
 
-static int take_facet(const reading *r)
+/* Room for a face of so many corners; NULL where there is no memory. */
+static uint32_t *add_face(size_t size, indexed_mesh *m)
 {
-    const uint32_t first = (uint32_t)r->m->vertices;
-    for (int v = 0; v < 3; v++)
-        indexed_mesh_add_vertex(r->s->item.position + 3 * v, r->m);
-    return indexed_mesh_add_triangle(r->path, first, first + 1, first + 2, r->m);
+    uint32_t *const corners = page_list_add(size, sizeof *corners, &m->corners);
+    uint32_t *const own = page_list_add(1, sizeof *own, &m->sizes);
+    if (own)
+        *own = (uint32_t)size;
+    return own ? corners : NULL;
 }
 
-static int add_strips(const reading *r)
+static bool take_face(const scan_item *i, indexed_mesh *m)
 {
-    const scan_reference *c = r->s->item.references;
-    int code = EXIT_CODE_OK;
-    for (size_t i = 2; !code && i < r->s->item.count; i++, c++)
-        if (c[0].number != SCAN_BREAK && c[1].number != SCAN_BREAK && c[2].number != SCAN_BREAK)
-            code = indexed_mesh_add_triangle(r->path, (uint32_t)c[0].number, (uint32_t)c[1].number, (uint32_t)c[2].number, r->m);
-    return code;
+    uint32_t *to = add_face(i->corners, m);
+    for (size_t n = 0; to && n < i->count; n++)
+        if (i->references[n].which == SCAN_POSITIONS)
+            *to++ = (uint32_t)i->references[n].number;
+    return to;
 }
 
-static int take_face(reading *r)
+static bool take_strip(const scan_item *i, indexed_mesh *m)
 {
-    const scan_item *const i = &r->s->item;
-    size_t corners = 0;
-    const int code = indexed_mesh_reserve_face(r->path, i->corners, r->m);
-    for (size_t n = 0; !code && n < i->count; n++) {
-        const scan_reference *const c = &i->references[n];
-        r->is_before_them |= c->which == SCAN_POSITIONS && c->number >= r->m->vertices && c->number != SCAN_BREAK;
-        if (c->which == SCAN_POSITIONS)
-            r->m->face[corners++] = (uint32_t)c->number;
+    uint32_t *to = NULL;
+    for (const scan_reference *c = i->references; c + 2 < i->references + i->count; c++) {
+        if (c[0].number == SCAN_BREAK || c[1].number == SCAN_BREAK || c[2].number == SCAN_BREAK)
+            continue;
+        to = add_face(3, m);
+        for (size_t v = 0; to && v < 3; v++)
+            to[v] = (uint32_t)c[v].number;
+        if (!to)
+            return false;
     }
-    if (code || r->is_before_them)
-        return code;
-    return i->kind == SCAN_STRIP ? add_strips(r) : indexed_mesh_add_face(r->path, corners, r->m);
+    return true;
 }
 
-static int take(reading *r)
+static bool take(const scan_item *i, indexed_mesh *m)
 {
-    const scan_kind kind = r->s->item.kind;
-    if (kind == SCAN_VERTEX)
-        take_vertex(r);
-    else if (kind == SCAN_FACET)
-        return take_facet(r);
-    else if (!r->is_before_them && (kind == SCAN_FACE || kind == SCAN_STRIP))
-        return take_face(r);
-    r->m->left_out += kind == SCAN_LINE;
-    return EXIT_CODE_OK;
+    if (i->kind == SCAN_FACE)
+        return take_face(i, m);
+    if (i->kind == SCAN_STRIP)
+        return take_strip(i, m);
+    if (i->kind == SCAN_VERTEX && i->which == SCAN_POSITIONS)
+        take_vertex(i->position, m);
+    for (int v = 0; i->kind == SCAN_FACET && v < 3; v++)
+        take_vertex(i->position + 3 * v, m);
+    m->left_out += i->kind == SCAN_LINE;
+    return true;
 }
 
 /* Floats of binary files are not worth the memory of doubles. */
@@ -135,23 +132,31 @@ static unsigned position_bytes(const scan *s)
     return is_float ? sizeof(float) : sizeof(double);
 }
 
+static int make_room(const char *path, const scan *s, indexed_mesh *m)
+{
+    const uint64_t vertices = s->all[SCAN_POSITIONS];
+    if (vertices > UINT32_MAX)
+        return message_failure("%s: %" PRIu64 " vertices, more than 4294967295; split the mesh", path, vertices);
+    m->is_soup = s->kind == MESH_STL_TEXT;
+    m->position_bytes = position_bytes(s);
+    if (!page_list_add((size_t)vertices, 3 * m->position_bytes, &m->positions))
+        return message_failure("%s: out of memory for %" PRIu64 " vertices", path, vertices);
+    m->positions.count = 0; /* so far */
+    return EXIT_CODE_OK;
+}
+
 int scan_read(const char *path, mesh_kind kind, const whole_file *file, indexed_mesh *m)
 {
     scan s;
-    reading r = {.path = path, .s = &s, .m = m};
     int code = scan_open(path, kind, file, &s);
     if (!code)
-        code = indexed_mesh_reserve(path, s.all[SCAN_POSITIONS], position_bytes(&s), m);
-    do {
-        r.has_vertices = r.is_before_them;
-        r.is_before_them = false;
-        m->triangles = m->left_out = m->miscut = 0;
-        scan_again(&s);
-        while (!code && !(code = scan_next(&s)) && s.item.kind != SCAN_END)
-            code = take(&r);
-    } while (!code && r.is_before_them);
+        code = make_room(path, &s, m);
+    scan_again(&s);
+    while (!code && !(code = scan_next(&s)) && s.item.kind != SCAN_END)
+        if (!take(&s.item, m))
+            code = message_failure("%s: out of memory for more than %zu faces", path, m->sizes.count);
     m->fit = s.fit;
-    if (!code && kind == MESH_OBJ && !m->vertices)
+    if (!code && kind == MESH_OBJ && !m->positions.count)
         code = message_failure("%s: not an OBJ file, or an empty one: it has no line with a vertex, 'v X Y Z'", path);
     scan_close(&s);
     return code;

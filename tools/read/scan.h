@@ -5,6 +5,7 @@
 #ifndef SCAN_H
 #define SCAN_H
 
+#include "little.h"
 #include "mesh.h"
 #include "words.h"
 
@@ -67,6 +68,8 @@ static inline uint64_t ply_bits(const void *from, size_t size, bool is_big)
 {
     const unsigned char *const bytes = from;
     uint64_t bits = 0;
+    if (size == sizeof(uint32_t) && !is_big) /* the usual one */
+        return little_get32(bytes);
     for (size_t i = 0; i < size; i++)
         bits = bits << 8 | bytes[is_big ? i : size - 1 - i];
     return bits;
@@ -81,6 +84,7 @@ typedef struct ply_layout {
     size_t vertex, axes[3];         /* bytes of a vertex, and where in it its coordinates are */
     size_t before, after;           /* bytes of a face before its list and after it */
     ply_type number, count, corner; /* of a coordinate, of the list's length, of a corner */
+    size_t number_bytes, count_bytes, corner_bytes;
 } ply_layout;
 
 /* False where the first two elements are others, or of none, or a file of `size` bytes ends before them if all lists are empty. */

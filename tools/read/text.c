@@ -1,6 +1,6 @@
 /*
  * text.c - chunks are read with a little of what follows, for the lines that begin in each. What threads find there is put together
- * in the order of the file; when all is there polygons are cut, by threads again.
+ * in the order of the file.
  */
 #include "plain.h"
 
@@ -122,16 +122,12 @@ static int read_chunk(void *data, void *place, size_t n)
 }
 
 /* False where there is no memory. */
-static bool add(const void *from, size_t count, size_t each, text_list *to)
+static bool add(const void *from, size_t count, size_t each, page_list *list)
 {
-    void *const grown = memory_grow_pages(to->of, to->count + count, &to->room, each);
-    if (!grown)
-        return false;
-    if (count)
-        memcpy((char *)grown + to->count * each, from, count * each);
-    to->of = grown;
-    to->count += count;
-    return true;
+    void *const to = page_list_add(count, each, list);
+    if (to && count)
+        memcpy(to, from, count * each);
+    return to;
 }
 
 /* Those that are counted from the vertices before them get their numbers. */
@@ -149,21 +145,20 @@ static bool number_relatives(const text_chunk *chunk, uint64_t vertices_before)
 static int join_chunk(void *data, void *place, size_t n)
 {
     text *const t = ((text_run *)data)->t;
+    indexed_mesh *const to = &t->all;
     const text_chunk *const chunk = place;
     (void)n;
-    for (size_t i = 0; i < chunk->faces; i++)
-        t->has_polygons |= chunk->sizes[i] != 3;
-    t->fit = chunk->fit > t->fit ? chunk->fit : t->fit;
+    to->fit = chunk->fit > to->fit ? chunk->fit : to->fit;
+    to->left_out += chunk->left_out;
     t->highest = chunk->highest > t->highest ? chunk->highest : t->highest;
-    t->left_out += chunk->left_out;
-    const bool is_joined = (!t->join || t->join(t, chunk)) && number_relatives(chunk, t->positions.count) &&
-                           add(chunk->positions, chunk->vertices, sizeof(double[3]), &t->positions) &&
-                           add(chunk->corners, chunk->corner_count, sizeof *chunk->corners, &t->corners) &&
-                           add(chunk->sizes, chunk->faces, sizeof *chunk->sizes, &t->sizes);
-    return is_joined && t->positions.count <= UINT32_MAX ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+    const bool is_joined = (!t->join || t->join(t, chunk)) && number_relatives(chunk, to->positions.count) &&
+                           add(chunk->positions, chunk->vertices, sizeof(double[3]), &to->positions) &&
+                           add(chunk->corners, chunk->corner_count, sizeof *chunk->corners, &to->corners) &&
+                           add(chunk->sizes, chunk->faces, sizeof *chunk->sizes, &to->sizes);
+    return is_joined && to->positions.count <= UINT32_MAX ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
 }
 
-bool text_read(text *t)
+static bool read_all(text *t)
 {
     const plain_file *const file = t->file;
     const uint64_t count = (file->size - t->from + file->chunk_bytes - 1) / file->chunk_bytes;
@@ -179,135 +174,14 @@ bool text_read(text *t)
     reading_begin();
     const int code = crew_do(&work, &r);
     reading_end();
-    return !code && !r.is_failed && (!t->corners.count || t->highest < t->positions.count);
+    return !code && !r.is_failed;
 }
 
-/* Faces become triangles in blocks. */
-typedef struct cutting {
-    const text *t;
-    size_t faces, corners; /* of the blocks before the next */
-    text_list triangles;
-    size_t left_out, miscut;
-} cutting;
-
-typedef struct face_block {
-    size_t first, count, corner;
-    indexed_mesh cut;
-} face_block;
-
-static void *make_block(void *data)
+bool text_read(text *t, mesh *m)
 {
-    (void)data;
-    return calloc(1, sizeof(face_block));
-}
-
-/* The positions are not its own. */
-static void free_block(void *place)
-{
-    face_block *const b = place;
-    free(b->cut.corners);
-    free(b->cut.face);
-    free(b);
-}
-
-static bool find_block(void *data, void *place, size_t n)
-{
-    cutting *const c = data;
-    face_block *const b = place;
-    const uint32_t *const sizes = c->t->sizes.of;
-    const size_t left = c->t->sizes.count - c->faces, most = 1 + c->t->file->chunk_bytes / 64;
-    (void)n;
-    b->first = c->faces;
-    b->count = left < most ? left : most;
-    b->corner = c->corners;
-    for (size_t i = 0; i < b->count; i++)
-        c->corners += sizes[c->faces++];
-    return b->count;
-}
-
-/* Where their doubles are, before they are rounded. */
-static int cut_block(void *data, void *place, size_t n)
-{
-    const text *const t = ((const cutting *)data)->t;
-    face_block *const b = place;
-    indexed_mesh *const cut = &b->cut;
-    const uint32_t *corners = (const uint32_t *)t->corners.of + b->corner, *const sizes = (const uint32_t *)t->sizes.of + b->first;
-    int code = EXIT_CODE_OK;
-    (void)n;
-    cut->positions = t->positions.of;
-    cut->position_bytes = sizeof(double);
-    cut->vertices = t->positions.count;
-    cut->triangles = cut->left_out = cut->miscut = 0;
-    for (size_t i = 0; !code && i < b->count; corners += sizes[i++]) {
-        code = indexed_mesh_reserve_face(t->file->path, sizes[i], cut);
-        if (!code && sizes[i]) /* without any corner there is no array */
-            memcpy(cut->face, corners, sizes[i] * sizeof *corners);
-        code = code ? code : indexed_mesh_add_face(t->file->path, sizes[i], cut);
-    }
-    return code;
-}
-
-static int keep_block(void *data, void *place, size_t n)
-{
-    cutting *const c = data;
-    const indexed_mesh *const cut = &((const face_block *)place)->cut;
-    (void)n;
-    c->left_out += cut->left_out;
-    c->miscut += cut->miscut;
-    return add(cut->corners, 3 * cut->triangles, sizeof *cut->corners, &c->triangles) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
-}
-
-static bool cut_polygons(text *t)
-{
-    cutting c = {.t = t};
-    const crew_work work = {.threads = t->file->threads,
-                            .each = 2,
-                            .is_told_in_order = true,
-                            .begin = make_block,
-                            .end = free_block,
-                            .find = find_block,
-                            .step = cut_block,
-                            .tell = keep_block};
-    const int code = crew_do(&work, &c);
-    pages_free(t->corners.of, t->corners.room * sizeof(uint32_t));
-    t->corners = c.triangles;
-    t->left_out += c.left_out;
-    t->miscut = c.miscut;
-    return !code;
-}
-
-/* For free(). */
-static void *copy(const text_list *list, size_t each)
-{
-    void *const to = malloc(list->count * each);
-    return to ? memcpy(to, list->of, list->count * each) : NULL;
-}
-
-bool text_make(text *t, mesh *m)
-{
-    if (t->has_polygons && !cut_polygons(t))
-        return false;
-    const bool are_doubles = t->file->is_wide || t->fit == FLOAT_FIT_NONE;
-    indexed_mesh all = {.positions = are_doubles ? copy(&t->positions, sizeof(double[3])) : t->positions.of,
-                        .position_bytes = sizeof(double),
-                        .fit = t->fit,
-                        .vertices = t->positions.count,
-                        .corners = t->has_no_faces ? NULL
-                                   : are_doubles   ? copy(&t->corners, sizeof(uint32_t))
-                                                   : t->corners.of,
-                        .triangles = (t->has_no_faces ? t->positions.count : t->corners.count) / 3,
-                        .left_out = t->left_out,
-                        .miscut = t->miscut};
-    const bool is_made = all.triangles && all.positions && (all.corners || t->has_no_faces) &&
-                         mesh_take(&all, t->file->is_wide, t->file->threads, m);
-    if (are_doubles)
-        indexed_mesh_free(&all);
-    return is_made;
-}
-
-void text_free(text *t)
-{
-    pages_free(t->positions.of, t->positions.room * sizeof(double[3]));
-    pages_free(t->corners.of, t->corners.room * sizeof(uint32_t));
-    pages_free(t->sizes.of, t->sizes.room * sizeof(uint32_t));
+    t->all.position_bytes = sizeof(double);
+    const bool is_read = read_all(t) && (!t->all.corners.count || t->highest < t->all.positions.count) &&
+                         (!t->is_whole || t->is_whole(t)) && !mesh_take(NULL, &t->all, t->file->is_wide, t->file->threads, m);
+    indexed_mesh_free(&t->all);
+    return is_read;
 }
