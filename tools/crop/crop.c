@@ -131,10 +131,13 @@ static void kept_numbers_add(kept_numbers *k, uint64_t number) { k->rows[number 
 
 static bool kept_numbers_has(const kept_numbers *k, uint64_t number) { return k->rows[number / 64].bits >> number % 64 & 1; }
 
-/* Lines that wait for a face, so that no empty groups are written. */
+/* Lines that wait for a face, in their order in the file, so that no empty groups are written. */
 typedef struct states {
-    const char *begin[SCAN_STATES], *end[SCAN_STATES]; /* NULL: none waits */
-    int waiting;
+    struct {
+        const char *begin, *end;
+        int which;
+    } waiting[SCAN_STATES];
+    int count;
 } states;
 
 enum { BUFFER = 1 << 16 };
@@ -352,27 +355,25 @@ static void put_item(crop *c, crop_side side)
     crop_put(c, side, i->after, strlen(i->after));
 }
 
+/* In place of another of what it says. */
 static void set_state(states *s, const scan_item *i)
 {
-    s->waiting += !s->begin[i->which];
-    s->begin[i->which] = i->begin;
-    s->end[i->which] = i->end;
+    int kept = 0;
+    for (int n = 0; n < s->count; n++)
+        if (s->waiting[n].which != i->which)
+            s->waiting[kept++] = s->waiting[n];
+    s->waiting[kept].begin = i->begin;
+    s->waiting[kept].end = i->end;
+    s->waiting[kept].which = i->which;
+    s->count = kept + 1;
 }
 
-/* In their order in the file. */
 static void put_states(crop *c, crop_side side)
 {
     states *const s = &c->states[side];
-    for (; s->waiting; s->waiting--) {
-        int first = 0;
-        while (!s->begin[first])
-            first++;
-        for (int i = first + 1; i < SCAN_STATES; i++)
-            if (s->begin[i] && s->begin[i] < s->begin[first])
-                first = i;
-        crop_put(c, side, s->begin[first], (size_t)(s->end[first] - s->begin[first]));
-        s->begin[first] = NULL;
-    }
+    for (int n = 0; n < s->count; n++)
+        crop_put(c, side, s->waiting[n].begin, (size_t)(s->waiting[n].end - s->waiting[n].begin));
+    s->count = 0;
 }
 
 /* Those of a run that are kept and follow each other are one write. */

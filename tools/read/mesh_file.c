@@ -12,37 +12,6 @@
 #include "files/files.h"
 #include "plain.h"
 #include "mesh_file.h"
-#include "words.h"
-
-/* In pieces, between which it is told how far this is. */
-static bool read_pieces(FILE *stream, whole_file *file)
-{
-    const size_t piece = (size_t)1 << 22;
-    bool is_read = true;
-    reading_begin();
-    for (size_t at = 0; is_read && at < file->size; at += piece) {
-        const size_t left = file->size - at, count = left < piece ? left : piece;
-        is_read = fread(file->bytes + at, 1, count, stream) == count;
-        reading_tell((double)at / (double)file->size);
-    }
-    reading_end();
-    return is_read;
-}
-
-static int read_bytes(const char *path, FILE *stream, whole_file *file)
-{
-    file->bytes = malloc(file->size + 1);
-    if (!file->bytes)
-        return message_failure("%s: out of memory: the file has %zu bytes" MESH_TO_SORT, path, file->size);
-    errno = 0;
-    if (read_pieces(stream, file)) {
-        file->bytes[file->size] = '\0';
-        return EXIT_CODE_OK;
-    }
-    const char *reason = errno ? strerror(errno) : "it became shorter while it was read";
-    whole_file_free(file);
-    return message_failure("%s: cannot read the file: %s", path, reason);
-}
 
 /* Whether the reader of a kind takes what a file begins with, in as far as it is read. */
 static bool is_begun(mesh_kind kind, const whole_file *file)
@@ -54,34 +23,16 @@ static bool is_begun(mesh_kind kind, const whole_file *file)
     return kind != MESH_OFF || !has_word || !strncmp(first.word + strspn(first.word, "STCN"), "OFF", 3);
 }
 
-/* Its size is known at its end. What begins like no mesh of its kind is left there, for the kind's reader to refuse. */
-static int read_stdin(mesh_kind kind, whole_file *file)
-{
-    const size_t piece = (size_t)1 << 22;
-    size_t room = 0, got = piece;
-    while (got == piece) {
-        char *const bytes = room < memory_available() ? memory_grow(file->bytes, file->size + piece + 1, &room, 1) : NULL;
-        if (!bytes)
-            return message_failure("stdin: out of memory after %zu bytes" MESH_TO_SORT, file->size);
-        file->bytes = bytes;
-        errno = 0;
-        got = fread(bytes + file->size, 1, piece, stdin);
-        file->size += got;
-        file->bytes[file->size] = '\0';
-        if (file->size == piece && !is_begun(kind, file))
-            break;
-    }
-    if (ferror(stdin))
-        return message_failure("stdin: cannot read the mesh: %s", strerror(errno));
-    return file->size ? EXIT_CODE_OK : message_failure("stdin: the file is empty");
-}
-
-int whole_file_read(const char *path, mesh_kind kind, whole_file *file)
+/* How many bytes a file has, SIZE_MAX where only its end says so. */
+static int open_whole(const char *path, FILE **stream, size_t *size)
 {
     file_about about;
-    *file = (whole_file){NULL, 0};
-    if (!strcmp(path, "-"))
-        return read_stdin(kind, file);
+    *stream = NULL;
+    *size = SIZE_MAX;
+    if (!strcmp(path, "-")) {
+        *stream = stdin;
+        return EXIT_CODE_OK;
+    }
     if (!named_file_about(path, &about))
         return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
     if (about.kind != FILE_KIND_REGULAR)
@@ -91,13 +42,55 @@ int whole_file_read(const char *path, mesh_kind kind, whole_file *file)
         return message_failure("%s: the file is empty", path);
     if (about.size >= SIZE_MAX)
         return message_failure("%s: the file is too large for the address space", path);
+    *size = (size_t)about.size;
+    *stream = named_file_open(path, "rb");
+    return *stream ? EXIT_CODE_OK : message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
+}
 
-    FILE *stream = named_file_open(path, "rb");
-    if (!stream)
-        return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
-    file->size = (size_t)about.size;
-    const int code = read_bytes(path, stream, file);
-    fclose(stream);
+/* In pieces. What begins like no mesh of its kind is left after the first of a stream, for the kind's reader to refuse. */
+static int read_pieces(const char *path, mesh_kind kind, FILE *stream, size_t size, whole_file *file)
+{
+    const size_t most = (size_t)1 << 22;
+    const bool is_sized = size < SIZE_MAX;
+    size_t room = 0, piece = most, got = most;
+    for (bool is_begun_well = true; is_begun_well && got == piece && file->size < size;) {
+        piece = size - file->size < most ? size - file->size : most;
+        const size_t needed = is_sized ? size + 1 : file->size + piece + 1;
+        char *const bytes = is_sized || room < memory_available() ? memory_grow(file->bytes, needed, &room, 1) : NULL;
+        if (!bytes && is_sized)
+            return message_failure("%s: out of memory: the file has %zu bytes" MESH_TO_SORT, path, size);
+        if (!bytes)
+            return message_failure("stdin: out of memory after %zu bytes" MESH_TO_SORT, file->size);
+        file->bytes = bytes;
+        errno = 0;
+        got = fread(bytes + file->size, 1, piece, stream);
+        file->size += got;
+        bytes[file->size] = '\0';
+        is_begun_well = is_sized || file->size != most || is_begun(kind, file);
+        if (is_sized)
+            reading_tell((double)file->size / (double)size);
+    }
+    if (!is_sized && ferror(stream))
+        return message_failure("stdin: cannot read the mesh: %s", strerror(errno));
+    if (is_sized && file->size < size)
+        return message_failure("%s: cannot read the file: %s", path,
+                               errno ? strerror(errno) : "it became shorter while it was read");
+    return file->size ? EXIT_CODE_OK : message_failure("stdin: the file is empty");
+}
+
+int whole_file_read(const char *path, mesh_kind kind, whole_file *file)
+{
+    FILE *stream;
+    size_t size;
+    *file = (whole_file){NULL, 0};
+    int code = open_whole(path, &stream, &size);
+    if (code)
+        return code;
+    reading_begin();
+    code = read_pieces(path, kind, stream, size, file);
+    reading_end();
+    if (stream != stdin)
+        fclose(stream);
     return code;
 }
 

@@ -1,10 +1,254 @@
 /*
  * plain_text.c - OBJ: lines "v X Y Z" and "f A B C ...", with A, A/T, A//N or A/T/N, and others, which count for nothing. PLY: a
  * line for each vertex, then for each face, which begins with the list of its corners. STL in lower case: chunks begin at a facet.
+ *
+ * Chunks are read with a little of what follows, for the lines that begin in each. What threads find there is put together in the
+ * order of the file.
  */
+#include <stdlib.h>
 #include <string.h>
 
+#include "console/crew.h"
+#include "console/digits.h"
+#include "console/message.h"
+#include "console/system.h"
+#include "files/files.h"
 #include "plain.h"
+
+/* A corner whose vertex is counted from the chunk's first: a place in `corners`, and the vertex, which may be before that. */
+typedef struct text_relative {
+    size_t corner;
+    int64_t vertex;
+} text_relative;
+
+/*
+ * The lines that begin between two places of the file: chunk 0 begins where the text does. After the file's last line, which a line
+ * end is put to, come zeros: TEXT_AHEAD bytes may be looked at from anywhere before `end`.
+ */
+typedef struct text_chunk {
+    size_t number;
+    const char *begin, *limit; /* of the lines; begin == limit where none begins here */
+    const char *end;           /* of what is there of the next chunks' lines */
+    bool is_last;              /* the file ends at `end` */
+    uint64_t offset;           /* of begin in the file */
+    uint64_t first_line;       /* counted from 0, where they are counted */
+
+    /* What is found there, in lists with room for all that a chunk may have. */
+    double *positions;
+    uint32_t *corners; /* of all faces, one after another */
+    uint32_t *sizes;   /* how many each face has */
+    text_relative *relatives;
+    size_t vertices, corner_count, faces, relative_count;
+    float_fit fit;
+    uint32_t highest; /* of the corners that are not relative; 0 without one */
+    size_t left_out;
+    uint64_t facets_begin, facets_end; /* of STL: where in the file they do; 0: none begins here */
+    bool is_inside;                    /* of STL: a solid, where they end */
+    char *bytes;
+} text_chunk;
+
+enum { TEXT_AHEAD = 64, TEXT_OVERLAP = 8192 /* bytes of the chunks after it that a chunk has, so that no line may be longer */ };
+
+typedef struct text {
+    const plain_file *file;
+    uint64_t from;                                         /* where its lines begin */
+    bool are_counted;                                      /* the lines */
+    bool (*read)(const struct text *t, text_chunk *chunk); /* of threads at once; false: not plain */
+    bool (*join)(struct text *t, const text_chunk *chunk); /* of the chunks in their order; may be NULL */
+    bool (*is_whole)(const struct text *t);                /* whether nothing lacks at the end; may be NULL */
+    const ply_element *of_vertices, *of_faces;             /* of PLY */
+    uint64_t facets_end;                                   /* of STL, of the chunks that are joined, as theirs */
+    bool is_inside;
+    indexed_mesh all;
+    uint32_t highest; /* as theirs */
+} text;
+
+/* Adds a face of the last `size` corners. */
+static inline void text_add_face(uint32_t size, text_chunk *chunk) { chunk->sizes[chunk->faces++] = size; }
+
+static inline bool text_is_blank(char c) { return c == ' ' || c == '\t'; }
+
+static inline bool text_ends_word(char c) { return text_is_blank(c) || c == '\r' || c == '\n'; }
+
+static inline const char *text_skip_blanks(const char *c)
+{
+    while (text_is_blank(*c))
+        c++;
+    return c;
+}
+
+/* What follows a line's last word: its end, which a '\r' may precede; NULL where there is something else. */
+static inline const char *text_end_line(const char *c)
+{
+    c = text_skip_blanks(c);
+    c += *c == '\r';
+    return *c == '\n' ? c + 1 : NULL;
+}
+
+static const char *after_line(const char *from, const char *end)
+{
+    const char *const found = from < end ? memchr(from, '\n', (size_t)(end - from)) : NULL;
+    return found ? found + 1 : NULL;
+}
+
+static uint64_t count_lines(const char *c, const char *end)
+{
+    enum { AT_ONCE = 255 /* that a byte counts */ };
+    uint64_t lines = 0;
+    while (c < end) {
+        const size_t left = (size_t)(end - c), count = left < AT_ONCE ? left : AT_ONCE;
+        unsigned char here = 0;
+        for (size_t i = 0; i < count; i++)
+            here = (unsigned char)(here + (c[i] == '\n'));
+        lines += here;
+        c += count;
+    }
+    return lines;
+}
+
+typedef struct text_run {
+    text *t;
+    size_t count; /* of the chunks */
+    uint64_t lines;
+    bool is_failed;
+} text_run;
+
+/* A vertex takes six bytes of text, "0 0 0" and a blank; a corner or a face two, a relative corner three, "-1". */
+static void *make_chunk(void *data)
+{
+    const text_run *const r = data;
+    const size_t bytes = 1 + r->t->file->chunk_bytes + TEXT_OVERLAP + TEXT_AHEAD;
+    const size_t positions = (bytes / 6 + 1) * sizeof(double[3]), relatives = (bytes / 3 + 1) * sizeof(text_relative);
+    const size_t corners = (bytes / 2 + 1) * sizeof(uint32_t);
+    char *const room = malloc(sizeof(text_chunk) + positions + relatives + 2 * corners + bytes + 1);
+    text_chunk *const chunk = (void *)room;
+    if (chunk) {
+        chunk->positions = (void *)(room + sizeof *chunk);
+        chunk->relatives = (void *)((char *)chunk->positions + positions);
+        chunk->corners = (void *)((char *)chunk->relatives + relatives);
+        chunk->sizes = (void *)((char *)chunk->corners + corners);
+        chunk->bytes = (char *)chunk->sizes + corners;
+    }
+    return chunk;
+}
+
+/* The chunk begins a byte early, which says whether a line does. */
+static bool load_lines(const text_run *r, text_chunk *chunk)
+{
+    const plain_file *const file = r->t->file;
+    const size_t early = chunk->number > 0, bytes = file->chunk_bytes;
+    const uint64_t start = r->t->from + (uint64_t)chunk->number * bytes - early;
+    char *const room = chunk->bytes;
+    size_t got;
+    if (!named_file_read_at(file->stream, start, room, early + bytes + TEXT_OVERLAP, &got) || got < early)
+        return false;
+    chunk->is_last = start + got >= file->size;
+    const char *const own_end = room + (got < bytes + early ? got : bytes + early), *begin = room;
+    room[got] = '\n';
+    chunk->end = room + got + (chunk->is_last && got && room[got - 1] != '\n');
+    memset(room + got + 1, 0, TEXT_AHEAD);
+    if (early)
+        begin = after_line(room, own_end - 1);
+    chunk->limit = after_line(own_end - 1, room + got);
+    if (!chunk->limit && chunk->is_last)
+        chunk->limit = chunk->end;
+    chunk->begin = begin ? begin : chunk->limit;
+    chunk->offset = chunk->begin ? start + (uint64_t)(chunk->begin - room) : 0;
+    return chunk->limit || !begin;
+}
+
+static bool find_chunk(void *data, void *place, size_t n)
+{
+    text_run *const r = data;
+    text_chunk *const chunk = place;
+    if (n == r->count)
+        return false;
+    reading_tell((double)n / (double)r->count);
+    chunk->number = n;
+    chunk->vertices = chunk->corner_count = chunk->faces = chunk->relative_count = chunk->left_out = 0;
+    chunk->fit = FLOAT_FIT_EXACT;
+    chunk->highest = 0;
+    chunk->facets_end = 0;
+    r->is_failed = !load_lines(r, chunk);
+    chunk->first_line = r->lines;
+    if (!r->is_failed && r->t->are_counted)
+        r->lines += count_lines(chunk->begin, chunk->limit);
+    return !r->is_failed;
+}
+
+static int read_chunk(void *data, void *place, size_t n)
+{
+    const text_run *const r = data;
+    text_chunk *const chunk = place;
+    (void)n;
+    return chunk->begin == chunk->limit || r->t->read(r->t, chunk) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+}
+
+/* False where there is no memory. */
+static bool add(const void *from, size_t count, size_t each, page_list *list)
+{
+    void *const to = page_list_add(count, each, list);
+    if (to && count)
+        memcpy(to, from, count * each);
+    return to;
+}
+
+/* Those that are counted from the vertices before them get their numbers. */
+static bool number_relatives(const text_chunk *chunk, uint64_t vertices_before)
+{
+    bool is_sound = true;
+    for (size_t i = 0; i < chunk->relative_count; i++) {
+        const int64_t vertex = (int64_t)vertices_before + chunk->relatives[i].vertex;
+        is_sound &= vertex >= 0;
+        chunk->corners[chunk->relatives[i].corner] = (uint32_t)vertex;
+    }
+    return is_sound;
+}
+
+static int join_chunk(void *data, void *place, size_t n)
+{
+    text *const t = ((text_run *)data)->t;
+    indexed_mesh *const to = &t->all;
+    const text_chunk *const chunk = place;
+    (void)n;
+    to->fit = chunk->fit > to->fit ? chunk->fit : to->fit;
+    to->left_out += chunk->left_out;
+    t->highest = chunk->highest > t->highest ? chunk->highest : t->highest;
+    const bool is_joined = (!t->join || t->join(t, chunk)) && number_relatives(chunk, to->positions.count) &&
+                           add(chunk->positions, chunk->vertices, sizeof(double[3]), &to->positions) &&
+                           add(chunk->corners, chunk->corner_count, sizeof *chunk->corners, &to->corners) &&
+                           add(chunk->sizes, chunk->faces, sizeof *chunk->sizes, &to->sizes);
+    return is_joined && to->positions.count <= UINT32_MAX ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+}
+
+static bool read_all(text *t)
+{
+    const plain_file *const file = t->file;
+    const uint64_t count = (file->size - t->from + file->chunk_bytes - 1) / file->chunk_bytes;
+    text_run r = {.t = t, .count = count < SIZE_MAX ? (size_t)count : SIZE_MAX};
+    const crew_work work = {.threads = file->threads < r.count ? file->threads : (unsigned)r.count,
+                            .each = 2,
+                            .is_told_in_order = true,
+                            .begin = make_chunk,
+                            .end = free,
+                            .find = find_chunk,
+                            .step = read_chunk,
+                            .tell = join_chunk};
+    reading_begin();
+    const int code = crew_do(&work, &r);
+    reading_end();
+    return !code && !r.is_failed;
+}
+
+/* Reads a text, and makes a mesh of it. False where it is not plain. */
+static bool text_read(text *t, mesh *m)
+{
+    t->all.position_bytes = sizeof(double);
+    const bool is_read = read_all(t) && (!t->all.corners.count || t->highest < t->all.positions.count) &&
+                         (!t->is_whole || t->is_whole(t)) && !mesh_take(NULL, &t->all, t->file->is_wide, t->file->threads, m);
+    indexed_mesh_free(&t->all);
+    return is_read;
+}
 
 static const char *skip_space(const char *c)
 {
@@ -38,15 +282,24 @@ static const char *skip_word(const char *c)
     }
 }
 
-/* Where no '\r' ends a line before that, and no backslash joins it with the next. */
-static const char *skip_line(const char *c, const char *limit)
+/* The end of a line, where no '\r' ends one before that; *last: what it ends with before that. */
+static const char *find_line_end(const char *c, const char *limit, char *last)
 {
     const char *const end = memchr(c, '\n', (size_t)(limit - c));
     if (!end)
         return NULL;
     const char *const text_end = end > c && end[-1] == '\r' ? end - 1 : end;
-    const bool is_joined = text_end > c && text_end[-1] == '\\';
-    return is_joined || memchr(c, '\r', (size_t)(text_end - c)) ? NULL : end + 1;
+    *last = text_end > c ? text_end[-1] : '\n';
+    return memchr(c, '\r', (size_t)(text_end - c)) ? NULL : end;
+}
+
+/* Where no backslash joins it with the next. */
+static const char *skip_line(const char *c, const char *limit)
+{
+    char last;
+    const char *const end = find_line_end(c, limit, &last);
+    const bool is_joined = end && last == '\\';
+    return !end || is_joined ? NULL : end + 1;
 }
 
 /* The numbers of texture and normal are not looked at. */
@@ -213,14 +466,11 @@ static const char *expect(const char *c, const char *word)
 }
 
 /* The rest of a line: a name. */
-static const char *skip_name(const char *c, const char *end)
+static const char *skip_name(const char *c, const char *limit)
 {
-    const char *const line_end = memchr(c, '\n', (size_t)(end - c));
-    if (!line_end)
-        return NULL;
-    const char *const text_end = line_end > c && line_end[-1] == '\r' ? line_end - 1 : line_end;
-    const size_t length = (size_t)(text_end - c);
-    return memchr(c, '\r', length) || memchr(c, '\0', length) ? NULL : line_end;
+    char last;
+    const char *const end = find_line_end(c, limit, &last);
+    return end && !memchr(c, '\0', (size_t)(end - c)) ? end : NULL;
 }
 
 /* What follows "facet". */

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "words.h"
 
 /* Silent without a path. */
 #define REFUSE(...) (path ? message_failure(__VA_ARGS__) : EXIT_CODE_FAILURE)

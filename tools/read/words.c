@@ -1,5 +1,5 @@
 /* words.c - finds the words of a text, and says where one is wrong. */
-#include "words.h"
+#include "scan.h"
 
 #include <inttypes.h>
 #include <string.h>
