@@ -191,7 +191,7 @@ static int show_voxels(request *r, const tribox_soup *soup)
     tribox_grid grid;
     const char *const path = r->picture.path;
     const unsigned threads = processors_here();
-    mesh_look_all(threads, &m);
+    mesh_look_all(NULL, threads, &m);
     int code = grid_choose(&(grid_choice){.resolution = RESOLUTION}, "the mesh of the demo", &m, &grid);
     if (code)
         return code;

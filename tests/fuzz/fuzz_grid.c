@@ -71,7 +71,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     t.count = t.drawn;
     things_lay_soup(&t, 0);
     mesh m = {.soup = t.soup, .triangles = t.count};
-    mesh_look_all(1, &m);
+    mesh_look_all(NULL, 1, &m);
     tribox_grid grid;
     lines_forget();
     const int code = grid_choose(&choice, "a.ply", &m, &grid);

@@ -67,7 +67,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     lines_forget();
     const bool is_plain = mesh_read_plain(path, is_wide, threads[data[0] / NAMES % 4], 1 + (size_t)data[1], &plain);
     lines_fit("mesh_read_plain", 0);
-    const int code = mesh_read_slowly(path, is_wide, 1, &slow);
+    const int code = mesh_read_slowly(path, MESH_OTHER, is_wide, 1, &slow);
     lines_fit("mesh_read_slowly", code);
     ensure(!is_plain || !code, "the fast way reads what the other refuses");
     ensure(!is_plain || mesh_is_same(&plain, &slow), "two ways make two meshes");

@@ -49,7 +49,7 @@ static void check(const char *name, const char *text, size_t size, due how)
     write_file(name, text, size);
     for (int is_wide = 0; is_wide < 2; is_wide++) {
         mesh slow = {.coordinates = NULL};
-        const int code = mesh_read_slowly(path, is_wide, 1, &slow);
+        const int code = mesh_read_slowly(path, MESH_OTHER, is_wide, 1, &slow);
         for (size_t chunk = 1; chunk <= size + 1; chunk += 1 + chunk / 31)
             for (int t = 0; t < 3; t++)
                 if (compare(&slow, code, is_wide, threads[t], chunk) != (how == FAST) && how != EITHER)
@@ -181,7 +181,7 @@ static void test_numbers(void **state)
         write_file("n.obj", text, strlen(text));
         for (int is_wide = 0; is_wide < 2; is_wide++) {
             mesh slow = {.coordinates = NULL};
-            const int code = mesh_read_slowly(path, is_wide, 1, &slow);
+            const int code = mesh_read_slowly(path, MESH_OTHER, is_wide, 1, &slow);
             compare(&slow, code, is_wide, 2, 16);
             mesh_free(&slow);
         }
@@ -231,7 +231,7 @@ static void check_binary(const char *format, size_t count_bytes, uint32_t count,
     const size_t size = make_binary(format, count_bytes, count, corner, bytes);
     mesh slow = {.coordinates = NULL};
     write_file("b.ply", bytes, size - cut);
-    const int code = mesh_read_slowly(path, false, 1, &slow);
+    const int code = mesh_read_slowly(path, MESH_OTHER, false, 1, &slow);
     for (unsigned threads = 1; threads < 8; threads += threads)
         assert_int_equal(compare(&slow, code, false, threads, 1 << 18), is_due);
     mesh_free(&slow);
@@ -271,9 +271,42 @@ static int remove_folder(void **state)
     return rmdir(folder);
 }
 
+/* Squares, triangles and segments in turn, more than a thread cuts at a time: squares from their first corner. */
+static void test_polygons(void **state)
+{
+    enum { SIDE = 80, FACES = SIDE * SIDE, ROOM = 64 * FACES };
+    char *const text = malloc(ROOM);
+    mesh m = {.coordinates = NULL};
+    size_t size = 0, next = 0;
+    (void)state;
+    assert_non_null(text);
+    for (int v = 0; v < (SIDE + 1) * (SIDE + 1); v++)
+        size += (size_t)sprintf(text + size, "v %d %d 0\n", v % (SIDE + 1), v / (SIDE + 1));
+    for (int f = 0; f < FACES; f++) {
+        const int a = f / SIDE * (SIDE + 1) + f % SIDE + 1, corners[4] = {a, a + 1, a + SIDE + 2, a + SIDE + 1};
+        size += (size_t)sprintf(text + size, "f");
+        for (int k = 0; k < 4 - f % 3; k++)
+            size += (size_t)sprintf(text + size, k < 3 - f % 3 ? " %d" : " %d\n", corners[k]);
+    }
+    write_file("n.obj", text, size);
+    free(text);
+    assert_true(mesh_read_plain(path, false, 3, 1000, &m));
+    assert_int_equal(m.left_out, FACES / 3);
+    for (int f = 0; f < FACES; f++)
+        for (int t = 0; t < 2 - f % 3; t++) {
+            static const int at[2][9] = {{0, 0, 0, 1, 0, 0, 1, 1, 0}, {0, 0, 0, 1, 1, 0, 0, 1, 0}};
+            double u[9];
+            mesh_triangle(&m, next++, u);
+            for (int c = 0; c < 9; c++)
+                assert_true(u[c] == at[t][c] + (c % 3 == 0 ? f % SIDE : c % 3 == 1 ? f / SIDE : 0));
+        }
+    assert_int_equal(m.triangles, next);
+    mesh_free(&m);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_texts), cmocka_unit_test(test_numbers),
-                                       cmocka_unit_test(test_ply_binary)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_texts), cmocka_unit_test(test_polygons),
+                                       cmocka_unit_test(test_numbers), cmocka_unit_test(test_ply_binary)};
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

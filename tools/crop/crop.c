@@ -53,25 +53,13 @@ static int check_mesh(const char *path, file_about *about)
     return about->size ? EXIT_CODE_OK : message_failure("%s: the file is empty", path);
 }
 
-static int check_path(const crop_files *f, crop_side side, const char *path)
-{
-    const char *const ending = ending_of(f);
-    if (!path || file_out_is_stdout(path))
-        return EXIT_CODE_OK;
-    if (!mesh_kind_has_ending(path, ending))
-        return message_usage("%s: '%s' does not end in %s, and faces are written in the format of the mesh, as they were; give it "
-                             "that ending, or convert the mesh first",
-                             options[side], path, ending);
-    return EXIT_CODE_OK;
-}
-
 static int check_paths(const crop_files *f, const char *const paths[CROP_SIDES])
 {
-    for (crop_side s = CROP_PART; s < CROP_SIDES; s++) {
-        const int code = check_path(f, s, paths[s]);
-        if (code)
-            return code;
-    }
+    for (crop_side s = CROP_PART; s < CROP_SIDES; s++)
+        if (paths[s] && !file_out_is_stdout(paths[s]) && !mesh_kind_has_ending(paths[s], ending_of(f)))
+            return message_usage("%s: '%s' does not end in %s, and faces are written in the format of the mesh, as they were; give "
+                                 "it that ending, or convert the mesh first",
+                                 options[s], paths[s], ending_of(f));
     const file_out_names names = {{options[CROP_PART], options[CROP_REST]}, {paths[CROP_PART], paths[CROP_REST]}};
     return file_out_check(&names, "mesh", &f->mesh_path, 1);
 }

@@ -147,17 +147,13 @@ static void ply_piece_close(ply_piece *p)
  * is a sound one of vertices, all floats or all doubles, and then faces, and nothing else. is_wide: doubles stay what they are even
  * where floats would do.
  */
-static ply_piece ply_piece_open(const char *path, bool is_wide)
+static void ply_piece_open(const char *path, bool is_wide, ply_piece *p)
 {
-    ply_piece p = {.faces = calloc(1, sizeof *p.faces)};
-    if (!p.faces)
-        return p;
-    if (file_map_open(&p.faces->map, path) || !lay_out(p.faces) || !mark_faces(p.faces, &p) || !p.triangles) {
-        ply_piece_close(&p);
-        return p;
-    }
-    p.is_double = p.faces->in.number == PLY_DOUBLE && (is_wide || !holds_floats(p.faces));
-    return p;
+    struct ply_faces *const f = p->faces = calloc(1, sizeof *f);
+    if (f && !file_map_open(&f->map, path) && lay_out(f) && mark_faces(f, p) && p->triangles)
+        p->is_double = f->in.number == PLY_DOUBLE && (is_wide || !holds_floats(f));
+    else
+        ply_piece_close(p);
 }
 
 /* As a double, or a float. Returns where the next goes. */
@@ -227,7 +223,7 @@ static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned t
         return EXIT_CODE_OK;
     }
     if (strcmp(p->path, "-"))
-        p->ply = ply_piece_open(p->path, is_wide);
+        ply_piece_open(p->path, is_wide, &p->ply);
     if (p->ply.faces) {
         p->triangles = p->ply.triangles;
         p->is_double = p->ply.is_double;
@@ -239,10 +235,8 @@ static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned t
         return code;
     p->triangles = p->whole.triangles;
     p->is_double = p->whole.is_double;
-    const size_t not_finite = p->whole.not_finite;
     p->whole.not_finite = 0; /* which is told of all pieces together */
     mesh_warn(triangle_file_name(p->path), &p->whole);
-    p->whole.not_finite = not_finite;
     return EXIT_CODE_OK;
 }
 
@@ -359,15 +353,14 @@ bool pieces_read(const pieces *all, const piece_block *block, void *positions)
     unsigned char *const bytes = positions;
     const size_t numbers = NUMBERS * block->count;
     const piece *const p = block->from;
-    if (p->format == TRIANGLES_OTHER && !p->ply.faces) {
-        put(&p->whole, block->first, block->count, all->read_bytes == sizeof(double), bytes);
-    } else {
-        if (!(p->ply.faces ? ply_piece_read(&p->ply, block->first, block->count, bytes) : read_records(block, bytes)))
-            return false;
-        if (all->read_bytes == sizeof(double) && !p->is_double) {
-            memmove(bytes + numbers * sizeof(float), bytes, numbers * sizeof(float));
-            widen(bytes, numbers);
-        }
+    const bool is_wide = all->read_bytes == sizeof(double), is_listed = p->format != TRIANGLES_OTHER;
+    if (is_listed ? !read_records(block, bytes) : p->ply.faces && !ply_piece_read(&p->ply, block->first, block->count, bytes))
+        return false;
+    if (!is_listed && !p->ply.faces) {
+        put(&p->whole, block->first, block->count, is_wide, bytes);
+    } else if (is_wide && !p->is_double) {
+        memmove(bytes + numbers * sizeof(float), bytes, numbers * sizeof(float));
+        widen(bytes, numbers);
     }
     if (all->shift.is_wanted)
         subtract(all, numbers, bytes, bytes);

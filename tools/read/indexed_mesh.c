@@ -302,7 +302,7 @@ static bool take_doubles(const indexed_mesh *from, size_t triangles, unsigned th
     const bool is_taken = positions && (corners || from->is_soup);
     mesh_set_doubles(positions, from->positions.count, corners, triangles, m);
     if (is_taken)
-        mesh_look_all(threads, m);
+        mesh_look_all(NULL, threads, m);
     return is_taken;
 }
 
@@ -323,7 +323,7 @@ int mesh_take(const char *path, indexed_mesh *from, bool is_wide, unsigned threa
         if (code)
             return code;
     }
-    is_taken = is_taken && (are_doubles ? take_doubles(from, all.count, threads, m) : mesh_fill(&all, threads, m));
+    is_taken = is_taken && (are_doubles ? take_doubles(from, all.count, threads, m) : mesh_look_all(&all, threads, m));
     return is_taken || !path ? !is_taken : message_failure("%s: out of memory for its triangles" MESH_TO_SORT, path);
 }
 

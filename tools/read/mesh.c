@@ -51,7 +51,7 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
     all.position_bytes = sizeof(float);
     all.stride = 0;
     int code = mesh_make_room(path, all.count, m);
-    if (!code && !mesh_fill(&all, 1, m))
+    if (!code && !mesh_look_all(&all, 1, m))
         code = message_failure("%s: refers to vertices that there are not", path);
     free(m->positions);
     free(m->corners);
@@ -61,20 +61,16 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
 }
 
 /* By gzip. libassimp reads some such files, with names of their own. */
-static bool is_compressed(const char *path, mesh_kind kind, const whole_file *file)
+static int refuse_compressed(const char *from, mesh_kind kind, const whole_file *file)
 {
-    return file->size > 1 && !memcmp(file->bytes, "\x1f\x8b", 2) && (kind != MESH_OTHER || mesh_kind_has_ending(path, ".gz"));
-}
-
-static int refuse_compressed(const char *from)
-{
+    if (file->size < 2 || memcmp(file->bytes, "\x1f\x8b", 2) || (kind == MESH_OTHER && !mesh_kind_has_ending(from, ".gz")))
+        return EXIT_CODE_OK;
     if (!strcmp(from, "-"))
         return message_failure("stdin: is compressed; send it through zcat first");
     return message_failure("%s: is compressed; give it as in 'zcat FILE | tribox COMMAND - --format ply'", from);
 }
 
-/* kind: OTHER for what the file says itself. */
-static int read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned threads, mesh *m)
+int mesh_read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned threads, mesh *m)
 {
     const char *const path = triangle_file_name(from);
     whole_file file;
@@ -85,22 +81,17 @@ static int read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned 
         words_next(&first);
         kind = mesh_kind_by(path, &first);
     }
-    if (!code && is_compressed(path, kind, &file))
-        code = refuse_compressed(from);
+    if (!code)
+        code = refuse_compressed(from, kind, &file);
     if (!code && kind != MESH_OTHER)
         code = scan_read(path, kind, &file, &indexed);
     whole_file_free(&file);
     if (!code && kind != MESH_OTHER)
         code = mesh_take(path, &indexed, is_wide, threads, m);
     else if (!code && !(code = read_by_assimp(path, m)))
-        mesh_look_all(threads, m);
+        mesh_look_all(NULL, threads, m);
     indexed_mesh_free(&indexed);
     return code;
-}
-
-int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
-{
-    return read_slowly(path, MESH_OTHER, is_wide, threads, m);
 }
 
 bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t chunk_bytes, mesh *m)
@@ -114,23 +105,19 @@ bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t ch
     return is_read;
 }
 
-/* kind: that which was given. */
-static int read_whole(const char *path, mesh_kind kind, bool is_wide, unsigned threads, mesh *m)
-{
-    const bool may_be_plain = strcmp(path, "-") && (kind == MESH_OTHER || kind == mesh_kind_of(path));
-    return may_be_plain && mesh_read_plain(path, is_wide, threads, PLAIN_CHUNK_BYTES, m)
-               ? EXIT_CODE_OK
-               : read_slowly(path, kind, is_wide, threads, m);
-}
-
 int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh_overflow *over, mesh *m)
 {
     triangle_file file;
     *m = (mesh){.coordinates = NULL};
     int code = triangle_file_open(path, format, &file);
-    if (!code)
-        code = file.stream ? mesh_read_triangles(&file, threads, over, m)
-                           : read_whole(path, triangle_format_kind(format), is_wide, threads, m);
+    const mesh_kind kind = triangle_format_kind(format);
+    if (!code && file.stream) {
+        code = mesh_read_triangles(&file, threads, over, m);
+    } else if (!code) {
+        const bool may_be_plain = strcmp(path, "-") && (kind == MESH_OTHER || kind == mesh_kind_of(path));
+        if (!may_be_plain || !mesh_read_plain(path, is_wide, threads, PLAIN_CHUNK_BYTES, m))
+            code = mesh_read_slowly(path, kind, is_wide, threads, m);
+    }
     triangle_file_close(&file);
     if (code)
         mesh_free(m);

@@ -95,9 +95,6 @@ void mesh_drop_floats(mesh *m);
 /* Makes it a mesh of doubles. Memory for free() goes over to it; corners: NULL for 0, 1, 2, ... */
 void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m);
 
-/* Fills room that there is for them with all triangles of `from`, rounded to floats. False where that fails. */
-bool mesh_fill(const tribox_mesh *from, unsigned threads, mesh *m);
-
 /*
  * Makes what a reader has found a mesh of floats, where these or decimals that they give back are all its numbers; or of doubles.
  * Returns an exit_code; path: for messages, NULL for none.
@@ -116,10 +113,11 @@ int mesh_read_triangles(triangle_file *file, unsigned threads, mesh_overflow *ov
 
 /*
  * The two ways to read a whole file, which tests compare. The fast one returns false, with nothing said and nothing to be freed,
- * where the file is not plain (plain.h); the other knows every spelling, and says what is wrong with a file.
+ * where the file is not plain (plain.h); the other knows every spelling, and says what is wrong with a file. kind: OTHER for what the
+ * file says itself.
  */
 bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t chunk_bytes, mesh *m);
-int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m);
+int mesh_read_slowly(const char *path, mesh_kind kind, bool is_wide, unsigned threads, mesh *m);
 
 /* The bounds of its finite triangles; false where there are none. */
 static inline bool mesh_bounds(const mesh *m, tribox_box *bounds)
@@ -155,8 +153,11 @@ void mesh_look_add(size_t first, size_t count, mesh *m);
 /* Puts so many triangles of `from`, from `begin` on, in the streams, from `first` on, and adds them. False where it fails. */
 bool mesh_look_put(const tribox_mesh *from, size_t begin, size_t count, size_t first, mesh *m);
 
-/* All of it, by threads. */
-void mesh_look_all(unsigned threads, mesh *m);
+/*
+ * All of it, by threads. from: what fills the room that there is with all of its triangles, rounded to floats; NULL where they are
+ * there. False where that fails.
+ */
+bool mesh_look_all(const tribox_mesh *from, unsigned threads, mesh *m);
 
 /* What --shift subtracts from a mesh. */
 typedef struct mesh_shift {

@@ -257,19 +257,13 @@ static int look_at_block(void *data, void *place, size_t n)
     return 0;
 }
 
-static bool look_by_threads(const tribox_mesh *from, unsigned threads, mesh *m)
+bool mesh_look_all(const tribox_mesh *from, unsigned threads, mesh *m)
 {
+    m->triangles = from ? from->count : m->triangles;
+    m->soup.count = from ? from->count : m->soup.count;
     const crew_work work = {.threads = threads, .count = (m->triangles + BLOCK - 1) / BLOCK, .step = look_at_block};
     mesh_look_begin(m);
     const bool is_done = !crew_do(&work, &(looking){from, m});
     mesh_look_end(m);
     return is_done;
-}
-
-void mesh_look_all(unsigned threads, mesh *m) { look_by_threads(NULL, threads, m); }
-
-bool mesh_fill(const tribox_mesh *from, unsigned threads, mesh *m)
-{
-    m->triangles = m->soup.count = from->count;
-    return look_by_threads(from, threads, m);
 }

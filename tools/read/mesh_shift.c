@@ -84,6 +84,6 @@ int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shif
     if (code)
         mesh_free(m);
     else
-        mesh_look_all(threads, m);
+        mesh_look_all(NULL, threads, m);
     return code;
 }

@@ -83,7 +83,7 @@ static int read_sized(triangle_file *file, unsigned threads, mesh *m)
     file->taken = file->promised;
     code = code ? code : triangle_file_find(file, &(triangle_block){.count = 0});
     if (!code && m->is_double)
-        mesh_look_all(threads, m);
+        mesh_look_all(NULL, threads, m);
     else if (!code)
         mesh_look_end(m);
     return code;
@@ -145,12 +145,12 @@ static int make_mesh(const char *name, listed *all, unsigned threads, mesh *m)
     if (all->is_double) {
         mesh_set_doubles((double *)(void *)all->bytes, from.vertices, NULL, from.count, m);
         all->bytes = NULL;
-        mesh_look_all(threads, m);
+        mesh_look_all(NULL, threads, m);
         return EXIT_CODE_OK;
     }
     int code = check_memory(name, all->count, all->count * all->each);
     code = code ? code : mesh_make_room(name, all->count, m);
-    return code || mesh_fill(&from, threads, m) ? code : message_failure("%s: out of memory", name);
+    return code || mesh_look_all(&from, threads, m) ? code : message_failure("%s: out of memory", name);
 }
 
 static int read_stream(triangle_file *file, unsigned threads, mesh_overflow *over, mesh *m)

@@ -192,48 +192,37 @@ double ply_number(uint64_t bits, ply_type type)
                                 : (double)bits;
 }
 
-static bool lay_vertices(const ply_element *e, ply_layout *l)
+bool ply_layout_of(const ply_header *h, uint64_t size, ply_layout *l)
 {
-    bool is_sound = e->kind == PLY_VERTICES;
-    l->vertices = e->count;
-    for (int i = 0; i < e->property_count; i++) {
-        const ply_property *const p = &e->properties[i];
-        is_sound &= !p->count && (p->role > PLY_Z || !l->number || l->number == p->type);
+    const ply_element *const vertices = &h->elements[0], *const faces = &h->elements[1];
+    *l = (ply_layout){.is_big = h->format == PLY_BIG_ENDIAN, .vertices_at = h->size};
+    bool is_sound = h->element_count >= 2 && vertices->kind == PLY_VERTICES && vertices->count && vertices->count <= UINT32_MAX &&
+                    faces->kind == PLY_FACES && faces->count;
+    for (int i = 0; is_sound && i < vertices->property_count; i++) {
+        const ply_property *const p = &vertices->properties[i];
+        is_sound = !p->count && (p->role > PLY_Z || !l->number || l->number == p->type);
         if (p->role <= PLY_Z) {
             l->number = p->type;
             l->axes[p->role] = l->vertex;
         }
         l->vertex += ply_type_size(p->type);
     }
-    return is_sound && e->count;
-}
-
-static bool lay_faces(const ply_element *e, ply_layout *l)
-{
-    bool is_sound = e->kind == PLY_FACES;
-    l->faces = e->count;
-    for (int i = 0; i < e->property_count; i++) {
-        const ply_property *const p = &e->properties[i];
+    for (int i = 0; is_sound && i < faces->property_count; i++) {
+        const ply_property *const p = &faces->properties[i];
+        is_sound = !p->count || p->role == PLY_CORNERS;
         if (p->role == PLY_CORNERS) {
             l->count = p->count;
             l->corner = p->type;
-            continue;
+        } else {
+            *(l->count ? &l->after : &l->before) += ply_type_size(p->type);
         }
-        is_sound &= !p->count;
-        *(l->count ? &l->after : &l->before) += ply_type_size(p->type);
     }
-    return is_sound && e->count;
-}
-
-bool ply_layout_of(const ply_header *h, uint64_t size, ply_layout *l)
-{
-    *l = (ply_layout){.is_big = h->format == PLY_BIG_ENDIAN, .vertices_at = h->size};
-    if (h->element_count < 2 || !lay_vertices(&h->elements[0], l) || !lay_faces(&h->elements[1], l))
-        return false;
+    l->vertices = vertices->count;
+    l->faces = faces->count;
     l->number_bytes = ply_type_size(l->number);
     l->count_bytes = ply_type_size(l->count);
     l->corner_bytes = ply_type_size(l->corner);
-    if (l->vertices > UINT32_MAX || l->vertices > (size - l->vertices_at) / l->vertex)
+    if (!is_sound || l->vertices > (size - l->vertices_at) / l->vertex)
         return false;
     l->faces_at = l->vertices_at + l->vertices * l->vertex;
     return l->faces <= (size - l->faces_at) / (l->before + l->count_bytes + l->after);

@@ -13,15 +13,11 @@ static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 words words_of(const char *path, const whole_file *file, char comment)
 {
     const char *const end = file->bytes + file->size;
     return (words){.path = path, .text = file->bytes, .end = end, .at = file->bytes, .word = end, .comment = comment};
 }
-
-static bool is_comment(const words *w) { return *w->at == w->comment; }
 
 /* The bytes of a backslash and the line end after it, where they join two lines; else 0. The file ends with a NUL byte. */
 static size_t joint(const words *w)
@@ -31,7 +27,7 @@ static size_t joint(const words *w)
     return w->at[1] == '\r' && w->at[2] == '\n' ? 3 : 2;
 }
 
-static void skip_to_line_end(words *w)
+void words_skip_line(words *w)
 {
     while (w->at < w->end && !is_line_end(*w->at))
         w->at += joint(w) ? joint(w) : 1;
@@ -40,7 +36,7 @@ static void skip_to_line_end(words *w)
 static bool take_word(words *w)
 {
     w->word = w->at;
-    while (w->at < w->end && !is_blank(*w->at) && !is_comment(w) && !joint(w))
+    while (w->at < w->end && !is_blank(*w->at) && *w->at != w->comment && !joint(w))
         w->at++;
     w->length = (size_t)(w->at - w->word);
     return w->length;
@@ -51,9 +47,9 @@ bool words_next(words *w)
     for (;;) {
         while (w->at < w->end && is_blank(*w->at))
             w->at++;
-        if (w->at == w->end || !is_comment(w))
+        if (w->at == w->end || *w->at != w->comment)
             return take_word(w);
-        skip_to_line_end(w);
+        words_skip_line(w);
     }
 }
 
@@ -61,14 +57,12 @@ bool words_next_on_line(words *w)
 {
     while (w->at < w->end && ((is_blank(*w->at) && !is_line_end(*w->at)) || joint(w)))
         w->at += joint(w) ? joint(w) : 1;
-    if (w->at < w->end && (is_line_end(*w->at) || is_comment(w))) {
+    if (w->at < w->end && (is_line_end(*w->at) || *w->at == w->comment)) {
         w->length = 0;
         return false;
     }
     return take_word(w);
 }
-
-void words_skip_line(words *w) { skip_to_line_end(w); }
 
 const char *words_line_begin(const words *w, const char *from)
 {
@@ -87,7 +81,7 @@ const char *words_line_next(const words *w)
 const char *words_rest(words w, size_t *length)
 {
     const char *begin = w.at;
-    skip_to_line_end(&w);
+    words_skip_line(&w);
     while (begin < w.at && strchr(" \t", *begin))
         begin++;
     while (w.at > begin && strchr(" \t", w.at[-1]))
@@ -106,9 +100,9 @@ bool words_whole(const words *w, uint64_t *number)
     const bool is_negative = w->length && *w->word == '-';
     *number = 0;
     for (size_t i = is_negative; i < w->length; i++) {
-        if (!is_digit(w->word[i]))
+        const unsigned digit = (unsigned char)(w->word[i] - '0');
+        if (digit > 9)
             return false;
-        const uint64_t digit = (uint64_t)(w->word[i] - '0');
         *number = *number > (UINT64_MAX - digit) / 10 ? UINT64_MAX : 10 * *number + digit;
     }
     if (is_negative && *number)
