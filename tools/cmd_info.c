@@ -144,7 +144,7 @@ static int tell_mesh(const request *r, const file_out_names *names, const mesh *
         code = file_out_check(names, "file of its data", &name, 1);
     mesh_warn(r->mesh_path, m);
     if (!code)
-        code = mesh_colours_find(r->mesh_path, TRIANGLES_OTHER, m->triangles, names, &colours);
+        code = mesh_colours_read(r->mesh_path, TRIANGLES_OTHER, m->triangles, names, false, &colours);
     if (code)
         return code;
     code = write_mesh(r, m, &colours);

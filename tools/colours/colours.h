@@ -22,12 +22,10 @@ typedef struct mesh_colours {
  * What libassimp reads: the same of glTF and its like, the colour of the corners times that of the material.
  * Whole numbers go to 255, those of 16 bits to 65535, others to 1.
  *
- * triangles: of the mesh, as it was read before. outputs: none of these may be a file of materials. Returns an exit_code; for
- * mesh_colours_read a mesh without colours is a failure. On success mesh_colours_free gives the memory back.
+ * triangles: of the mesh, as it was read before. outputs: none of these may be a file of materials. has_to: a mesh without colours
+ * is a failure. Returns an exit_code; on success mesh_colours_free gives the memory back.
  */
-int mesh_colours_find(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
-                      mesh_colours *colours);
-int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
+int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs, bool has_to,
                       mesh_colours *colours);
 void mesh_colours_free(mesh_colours *colours);
 

@@ -243,29 +243,20 @@ static void take_vertex(colouring *c)
 }
 
 /* Vertices come first, wherever they are in the file, unless faces have colours. */
-static int scan_vertices(colouring *c)
-{
-    const scan_item *const i = &c->s.item;
-    int code = EXIT_CODE_OK;
-    for (scan_again(&c->s); !code && !(code = scan_next(&c->s)) && i->kind != SCAN_END;) {
-        if (i->kind == SCAN_FACE && i->has_colour)
-            break;
-        if (i->kind == SCAN_VERTEX && i->which == SCAN_POSITIONS)
-            take_vertex(c);
-    }
-    return code;
-}
-
-static int scan_faces(colouring *c)
+static int scan_items(colouring *c, bool are_vertices)
 {
     const scan_item *const i = &c->s.item;
     int code = EXIT_CODE_OK;
     for (scan_again(&c->s); !code && !c->has_changed && !(code = scan_next(&c->s)) && i->kind != SCAN_END;) {
-        if (i->kind == SCAN_FACE)
+        if (are_vertices && i->kind == SCAN_FACE && i->has_colour)
+            break;
+        if (are_vertices && i->kind == SCAN_VERTEX && i->which == SCAN_POSITIONS)
+            take_vertex(c);
+        else if (!are_vertices && i->kind == SCAN_FACE)
             take_face(c);
-        else if (i->kind == SCAN_STRIP)
+        else if (!are_vertices && i->kind == SCAN_STRIP)
             take_strip(c);
-        else if (c->s.kind == MESH_OBJ && (i->kind == SCAN_STATE || i->kind == SCAN_OTHER))
+        else if (!are_vertices && c->s.kind == MESH_OBJ && (i->kind == SCAN_STATE || i->kind == SCAN_OTHER))
             code = materials_take(&c->materials, i->words);
     }
     return code;
@@ -277,9 +268,9 @@ static int scan_colours(const char *path, colouring *c)
     c->vertices = calloc((size_t)c->s.all[SCAN_POSITIONS] + 1, sizeof *c->vertices);
     if (!c->vertices)
         return message_failure("%s: out of memory for the colours of its vertices", path);
-    int code = scan_vertices(c);
+    int code = scan_items(c, true);
     if (!code)
-        code = scan_faces(c);
+        code = scan_items(c, false);
     materials_end(&c->materials);
     if (!code && (c->has_changed || c->next != c->to->triangles))
         return message_failure("%s: has changed while it was read", path);
@@ -333,45 +324,28 @@ static int read_others(const char *path, mesh_colours *to)
     return EXIT_CODE_OK;
 }
 
-static mesh_kind kind_of(const char *path, triangle_format format)
-{
-    return format == TRIANGLES_OTHER ? mesh_kind_of(path) : triangle_format_kind(format);
-}
-
-/* Whether it is of a format whose colours are read. */
-static bool are_read(const char *path, triangle_format format, mesh_kind kind)
-{
-    const triangle_format listed = format == TRIANGLES_OTHER ? triangle_format_of(path) : format;
-    return kind != MESH_STL_TEXT && (listed == TRIANGLES_OTHER || listed >= TRIANGLES_KINDS);
-}
-
-int mesh_colours_find(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
-                      mesh_colours *colours)
-{
-    const mesh_kind kind = kind_of(path, format);
-    *colours = (mesh_colours){.triangles = triangles, .from = "vertices"};
-    if (!are_read(path, format, kind))
-        return EXIT_CODE_OK;
-    colours->of = malloc(triangles * sizeof *colours->of);
-    if (!colours->of)
-        return message_failure("%s: out of memory for the colours of %zu triangles", path, triangles);
-    const int code = kind == MESH_OTHER ? read_others(path, colours) : read_faces(path, kind, outputs, colours);
-    if (code)
-        mesh_colours_free(colours);
-    return code;
-}
-
-int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
+int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs, bool has_to,
                       mesh_colours *colours)
 {
     if (!strcmp(path, "-") && format >= TRIANGLES_KINDS)
         return message_failure("stdin: its colours need the mesh as a file, since it is read twice");
-    const int code = mesh_colours_find(path, format, triangles, outputs, colours);
-    if (code || colours->of)
-        return code;
-    return message_failure("%s: %s: %s", triangle_file_name(path),
-                           are_read(path, format, kind_of(path, format)) ? "has no colours" : "no colours of its format are read",
-                           advice);
+    const mesh_kind kind = format == TRIANGLES_OTHER ? mesh_kind_of(path) : triangle_format_kind(format);
+    const triangle_format listed = format == TRIANGLES_OTHER ? triangle_format_of(path) : format;
+    const bool are_read = kind != MESH_STL_TEXT && (listed == TRIANGLES_OTHER || listed >= TRIANGLES_KINDS);
+    *colours = (mesh_colours){.triangles = triangles, .from = "vertices"};
+    if (are_read) {
+        colours->of = malloc(triangles * sizeof *colours->of);
+        if (!colours->of)
+            return message_failure("%s: out of memory for the colours of %zu triangles", path, triangles);
+        const int code = kind == MESH_OTHER ? read_others(path, colours) : read_faces(path, kind, outputs, colours);
+        if (code) {
+            mesh_colours_free(colours);
+            return code;
+        }
+    }
+    return colours->of || !has_to ? EXIT_CODE_OK
+                                  : message_failure("%s: %s: %s", triangle_file_name(path),
+                                                    are_read ? "has no colours" : "no colours of its format are read", advice);
 }
 
 void mesh_colours_free(mesh_colours *colours)

@@ -248,40 +248,29 @@ static void put_records(crop *c, const unsigned char *records, size_t count, siz
 }
 
 /* Records of one size, which stay what they are, byte for byte. */
-static int crop_records(crop *c, triangle_file *file)
+static int write_records(crop *c)
 {
-    const triangle_layout *const layout = &triangle_layouts[file->format];
+    const triangle_layout *const layout = &triangle_layouts[c->f->format];
     const size_t record = layout->record;
     unsigned char *const records = malloc(TRIANGLE_BLOCK * record);
-    if (!records)
-        return message_failure("%s: out of memory", c->f->mesh_path);
-    c->pass = 1;
-    c->is_changed = file->promised != c->choice.triangles;
-    if (!is_over(c) && file->format == TRIANGLES_STL)
-        put_stl_header(c, file);
-    while (!is_over(c) && c->next < c->choice.triangles) {
+    triangle_file file = {.stream = NULL};
+    int code =
+        records ? triangle_file_open(c->f->mesh_path, c->f->format, &file) : message_failure("%s: out of memory", c->f->mesh_path);
+    c->pass = c->passes = 1;
+    c->is_changed = !code && (!file.stream || file.promised != c->choice.triangles);
+    if (!code && !is_over(c) && file.format == TRIANGLES_STL)
+        put_stl_header(c, &file);
+    while (!code && !is_over(c) && c->next < c->choice.triangles) {
         const uint64_t left = c->choice.triangles - c->next, at = layout->start + c->next * record;
         const size_t count = left < TRIANGLE_BLOCK ? (size_t)left : TRIANGLE_BLOCK;
         size_t got;
-        if (named_file_read_at(file->stream, at, records, count * record, &got) && got == count * record)
+        if (named_file_read_at(file.stream, at, records, count * record, &got) && got == count * record)
             put_records(c, records, count, record);
         else
             c->is_changed = true;
     }
-    free(records);
-    return EXIT_CODE_OK;
-}
-
-static int write_records(crop *c)
-{
-    triangle_file file;
-    c->passes = 1;
-    int code = triangle_file_open(c->f->mesh_path, c->f->format, &file);
-    if (!code && !file.stream)
-        c->is_changed = true;
-    else if (!code)
-        code = crop_records(c, &file);
     triangle_file_close(&file);
+    free(records);
     return code;
 }
 

@@ -319,12 +319,10 @@ static bool read_records(const piece_block *b, unsigned char *bytes)
 /* Floats of this machine at the end of the room become doubles from its beginning on. */
 static void widen(unsigned char *bytes, size_t numbers)
 {
-    const unsigned char *const narrow = bytes + numbers * sizeof(float);
-    for (size_t k = 0; k < numbers; k++) {
-        float number;
-        memcpy(&number, narrow + k * sizeof number, sizeof number);
-        const double wide = (double)number;
-        memcpy(bytes + k * sizeof wide, &wide, sizeof wide);
+    const unsigned char *narrow = bytes + numbers * sizeof(float);
+    for (float number; numbers; numbers--, narrow += sizeof number) {
+        memcpy(&number, narrow, sizeof number);
+        bytes = put_number((double)number, true, bytes);
     }
 }
 

@@ -11,14 +11,6 @@
 #include "plain.h"
 #include "scan.h"
 
-static plain_reader *find_plain_reader(const char *path, const plain_file *file)
-{
-    static plain_reader *const readers[MESH_OTHER + 1] = {
-        [MESH_PLY] = plain_ply, [MESH_STL_TEXT] = plain_stl, [MESH_OBJ] = plain_obj};
-    words first = words_of(path, &file->head, '#');
-    return words_next(&first) && !words_is_cut(&first) ? readers[mesh_kind_by(path, &first)] : NULL;
-}
-
 /* Number i of the floats ends before number i + 1 of the doubles begins. */
 static double round_number(unsigned char *bytes, size_t i, double origin)
 {
@@ -96,9 +88,15 @@ int mesh_read_slowly(const char *from, mesh_kind kind, bool is_wide, unsigned th
 
 bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t chunk_bytes, mesh *m)
 {
-    plain_file file = {.path = path, .threads = threads, .is_wide = is_wide, .chunk_bytes = chunk_bytes};
-    plain_reader *const read = plain_file_open(path, &file) ? find_plain_reader(path, &file) : NULL;
-    const bool is_read = read && read(&file, m);
+    static plain_reader *const readers[MESH_OTHER + 1] = {
+        [MESH_PLY] = plain_ply, [MESH_STL_TEXT] = plain_stl, [MESH_OBJ] = plain_obj};
+    plain_file file = {.threads = threads, .is_wide = is_wide, .chunk_bytes = chunk_bytes};
+    bool is_read = plain_file_open(path, &file);
+    if (is_read) {
+        words first = words_of(path, &file.head, '#');
+        plain_reader *const read = words_next(&first) && !words_is_cut(&first) ? readers[mesh_kind_by(path, &first)] : NULL;
+        is_read = read && read(&file, m);
+    }
     plain_file_close(&file);
     if (!is_read)
         mesh_free(m);

@@ -86,11 +86,10 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m);
 /* Makes room for triangles as floats, of which none is a failure. Returns an exit_code; path: NULL to say nothing. */
 int mesh_make_room(const char *path, uint64_t count, mesh *m);
 
+void mesh_drop_floats(mesh *m);
+
 /* Where triangle `first` goes: x of the three vertices, then y, then z. */
 void mesh_streams(const mesh *m, size_t first, float *to[9]);
-
-/* Gives the room back. */
-void mesh_drop_floats(mesh *m);
 
 /* Makes it a mesh of doubles. Memory for free() goes over to it; corners: NULL for 0, 1, 2, ... */
 void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m);
@@ -113,8 +112,8 @@ int mesh_read_triangles(triangle_file *file, unsigned threads, mesh_overflow *ov
 
 /*
  * The two ways to read a whole file, which tests compare. The fast one returns false, with nothing said and nothing to be freed,
- * where the file is not plain (plain.h); the other knows every spelling, and says what is wrong with a file. kind: OTHER for what the
- * file says itself.
+ * where the file is not plain (plain.h); the other knows every spelling, and says what is wrong with a file. kind: OTHER for what
+ * the file says itself.
  */
 bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t chunk_bytes, mesh *m);
 int mesh_read_slowly(const char *path, mesh_kind kind, bool is_wide, unsigned threads, mesh *m);

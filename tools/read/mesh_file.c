@@ -155,7 +155,7 @@ mesh_kind mesh_kind_by(const char *path, const words *first)
 
 mesh_kind mesh_kind_of(const char *path)
 {
-    plain_file file = {.path = path};
+    plain_file file = {.stream = NULL};
     mesh_kind kind = MESH_OTHER;
     if (plain_file_open(path, &file)) {
         words first = words_of(path, &file.head, '#');
@@ -168,7 +168,7 @@ mesh_kind mesh_kind_of(const char *path)
 
 bool mesh_is_binary_ply(const char *path)
 {
-    plain_file file = {.path = path};
+    plain_file file = {.stream = NULL};
     bool is_binary = false;
     if (plain_file_open(path, &file)) {
         words w = words_of(path, &file.head, ' ');

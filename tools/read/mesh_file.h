@@ -52,9 +52,10 @@ bool mesh_is_binary_ply(const char *path);
 
 bool mesh_kind_has_ending(const char *path, const char *ending);
 
-/* The bar of a file that is read for more than a moment. */
-
-/* One file after another. Any thread tells what share is done, 0 to 1: cheap, but not for every triangle. */
+/*
+ * The bar of a file that is read for more than a moment. One file after another. Any thread tells what share is done, 0 to 1: cheap,
+ * but not for every triangle.
+ */
 void reading_begin(void);
 void reading_tell(double done);
 void reading_end(void);

@@ -37,37 +37,25 @@ void mesh_shift_choose(const tribox_box *bounds, double by[3])
         by[a] = round_to(bounds->lo[a], exponent);
 }
 
-static bool fits_float(const double *numbers, size_t count)
-{
-    size_t i = 0;
-    while (i < count && float_fit_of(numbers[i]) == FLOAT_FIT_EXACT)
-        i++;
-    return i == count;
-}
-
-/* Floats become nine doubles a triangle. */
-static int widen(const char *path, mesh *m)
-{
-    enum { TRIANGLE_BYTES = 9 * sizeof(double) };
-    const size_t count = m->triangles;
-    double *const positions = count <= SIZE_MAX / TRIANGLE_BYTES ? malloc(count * TRIANGLE_BYTES) : NULL;
-    if (!positions)
-        return message_failure("%s: out of memory for %zu triangles in double", path, count);
-    for (size_t t = 0; t < count; t++)
-        mesh_triangle(m, t, positions + 9 * t);
-    mesh_set_doubles(positions, 3 * count, NULL, count, m);
-    return EXIT_CODE_OK;
-}
-
+/* Of floats each triangle gets nine doubles. */
 static int subtract(const char *path, const double by[3], mesh *m)
 {
-    const int code = m->is_double ? EXIT_CODE_OK : widen(path, m);
-    if (code)
-        return code;
+    const size_t count = m->triangles;
+    bool are_floats = true;
+    if (!m->is_double) {
+        double *const wide = count <= SIZE_MAX / sizeof(double[9]) ? malloc(count * sizeof(double[9])) : NULL;
+        if (!wide)
+            return message_failure("%s: out of memory for %zu triangles in double", path, count);
+        for (size_t t = 0; t < count; t++)
+            mesh_triangle(m, t, wide + 9 * t);
+        mesh_set_doubles(wide, 3 * count, NULL, count, m);
+    }
     double *const positions = m->positions;
-    for (size_t i = 0; i < 3 * m->doubles.vertices; i++)
+    for (size_t i = 0; i < 3 * m->doubles.vertices; i++) {
         positions[i] -= by[i % 3];
-    return fits_float(positions, 3 * m->doubles.vertices) ? mesh_to_floats(path, (const double[3]){0, 0, 0}, m) : EXIT_CODE_OK;
+        are_floats &= float_fit_of(positions[i]) == FLOAT_FIT_EXACT;
+    }
+    return are_floats ? mesh_to_floats(path, (const double[3]){0, 0, 0}, m) : EXIT_CODE_OK;
 }
 
 int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh_overflow *over, mesh *m)
@@ -75,11 +63,8 @@ int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shif
     int code = mesh_read_over(path, format, shift->is_wanted, threads, over, m);
     if (code || !shift->is_wanted || (over && over->is_used))
         return code;
-    if (shift->is_auto) {
-        tribox_box bounds;
-        mesh_bounds(m, &bounds);
-        mesh_shift_choose(&bounds, shift->by);
-    }
+    if (shift->is_auto)
+        mesh_shift_choose(&m->bounds, shift->by);
     code = subtract(path, shift->by, m);
     if (code)
         mesh_free(m);

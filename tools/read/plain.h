@@ -15,7 +15,6 @@
 enum { PLAIN_CHUNK_BYTES = 1 << 18 };
 
 typedef struct plain_file {
-    const char *path; /* for messages that memory fails */
     FILE *stream;
     uint64_t size;
     whole_file head; /* as much as a header may have */

@@ -61,6 +61,9 @@ typedef struct text {
     bool is_inside;
     indexed_mesh all;
     uint32_t highest; /* as theirs */
+    size_t chunks;
+    uint64_t lines; /* before the next chunk */
+    bool is_failed;
 } text;
 
 /* Adds a face of the last `size` corners. */
@@ -106,18 +109,11 @@ static uint64_t count_lines(const char *c, const char *end)
     return lines;
 }
 
-typedef struct text_run {
-    text *t;
-    size_t count; /* of the chunks */
-    uint64_t lines;
-    bool is_failed;
-} text_run;
-
 /* A vertex takes six bytes of text, "0 0 0" and a blank; a corner or a face two, a relative corner three, "-1". */
 static void *make_chunk(void *data)
 {
-    const text_run *const r = data;
-    const size_t bytes = 1 + r->t->file->chunk_bytes + TEXT_OVERLAP + TEXT_AHEAD;
+    const text *const t = data;
+    const size_t bytes = 1 + t->file->chunk_bytes + TEXT_OVERLAP + TEXT_AHEAD;
     const size_t positions = (bytes / 6 + 1) * sizeof(double[3]), relatives = (bytes / 3 + 1) * sizeof(text_relative);
     const size_t corners = (bytes / 2 + 1) * sizeof(uint32_t);
     char *const room = malloc(sizeof(text_chunk) + positions + relatives + 2 * corners + bytes + 1);
@@ -133,11 +129,11 @@ static void *make_chunk(void *data)
 }
 
 /* The chunk begins a byte early, which says whether a line does. */
-static bool load_lines(const text_run *r, text_chunk *chunk)
+static bool load_lines(const text *t, text_chunk *chunk)
 {
-    const plain_file *const file = r->t->file;
+    const plain_file *const file = t->file;
     const size_t early = chunk->number > 0, bytes = file->chunk_bytes;
-    const uint64_t start = r->t->from + (uint64_t)chunk->number * bytes - early;
+    const uint64_t start = t->from + (uint64_t)chunk->number * bytes - early;
     char *const room = chunk->bytes;
     size_t got;
     if (!named_file_read_at(file->stream, start, room, early + bytes + TEXT_OVERLAP, &got) || got < early)
@@ -159,29 +155,29 @@ static bool load_lines(const text_run *r, text_chunk *chunk)
 
 static bool find_chunk(void *data, void *place, size_t n)
 {
-    text_run *const r = data;
+    text *const t = data;
     text_chunk *const chunk = place;
-    if (n == r->count)
+    if (n == t->chunks)
         return false;
-    reading_tell((double)n / (double)r->count);
+    reading_tell((double)n / (double)t->chunks);
     chunk->number = n;
     chunk->vertices = chunk->corner_count = chunk->faces = chunk->relative_count = chunk->left_out = 0;
     chunk->fit = FLOAT_FIT_EXACT;
     chunk->highest = 0;
     chunk->facets_end = 0;
-    r->is_failed = !load_lines(r, chunk);
-    chunk->first_line = r->lines;
-    if (!r->is_failed && r->t->are_counted)
-        r->lines += count_lines(chunk->begin, chunk->limit);
-    return !r->is_failed;
+    t->is_failed = !load_lines(t, chunk);
+    chunk->first_line = t->lines;
+    if (!t->is_failed && t->are_counted)
+        t->lines += count_lines(chunk->begin, chunk->limit);
+    return !t->is_failed;
 }
 
 static int read_chunk(void *data, void *place, size_t n)
 {
-    const text_run *const r = data;
+    const text *const t = data;
     text_chunk *const chunk = place;
     (void)n;
-    return chunk->begin == chunk->limit || r->t->read(r->t, chunk) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+    return chunk->begin == chunk->limit || t->read(t, chunk) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
 }
 
 /* False where there is no memory. */
@@ -207,7 +203,7 @@ static bool number_relatives(const text_chunk *chunk, uint64_t vertices_before)
 
 static int join_chunk(void *data, void *place, size_t n)
 {
-    text *const t = ((text_run *)data)->t;
+    text *const t = data;
     indexed_mesh *const to = &t->all;
     const text_chunk *const chunk = place;
     (void)n;
@@ -225,8 +221,8 @@ static bool read_all(text *t)
 {
     const plain_file *const file = t->file;
     const uint64_t count = (file->size - t->from + file->chunk_bytes - 1) / file->chunk_bytes;
-    text_run r = {.t = t, .count = count < SIZE_MAX ? (size_t)count : SIZE_MAX};
-    const crew_work work = {.threads = file->threads < r.count ? file->threads : (unsigned)r.count,
+    t->chunks = count < SIZE_MAX ? (size_t)count : SIZE_MAX;
+    const crew_work work = {.threads = file->threads < t->chunks ? file->threads : (unsigned)t->chunks,
                             .each = 2,
                             .is_told_in_order = true,
                             .begin = make_chunk,
@@ -235,9 +231,9 @@ static bool read_all(text *t)
                             .step = read_chunk,
                             .tell = join_chunk};
     reading_begin();
-    const int code = crew_do(&work, &r);
+    const int code = crew_do(&work, t);
     reading_end();
-    return !code && !r.is_failed;
+    return !code && !t->is_failed;
 }
 
 /* Reads a text, and makes a mesh of it. False where it is not plain. */

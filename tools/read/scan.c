@@ -96,15 +96,14 @@ static bool take_face(const scan_item *i, indexed_mesh *m)
 
 static bool take_strip(const scan_item *i, indexed_mesh *m)
 {
-    uint32_t *to = NULL;
-    for (const scan_reference *c = i->references; c + 2 < i->references + i->count; c++) {
-        if (c[0].number == SCAN_BREAK || c[1].number == SCAN_BREAK || c[2].number == SCAN_BREAK)
-            continue;
-        to = add_face(3, m);
-        for (size_t v = 0; to && v < 3; v++)
-            to[v] = (uint32_t)c[v].number;
-        if (!to)
+    for (size_t n = 2; n < i->count; n++) {
+        const scan_reference *const c = &i->references[n - 2];
+        const bool is_whole = c[0].number != SCAN_BREAK && c[1].number != SCAN_BREAK && c[2].number != SCAN_BREAK;
+        uint32_t *const to = is_whole ? add_face(3, m) : NULL;
+        if (is_whole && !to)
             return false;
+        for (size_t v = 0; is_whole && v < 3; v++)
+            to[v] = (uint32_t)c[v].number;
     }
     return true;
 }

@@ -145,39 +145,25 @@ int scan_next_off(scan *s)
     return code;
 }
 
-static int expect(scan *s, const char *due)
-{
-    char quoted[16];
-    if (words_next(&s->words) && words_is(&s->words, due))
-        return EXIT_CODE_OK;
-    snprintf(quoted, sizeof quoted, "'%s'", due);
-    return words_refuse(&s->words, quoted);
-}
+/* What follows the word "facet"; NULL: a number, of which the first three are the normal's. */
+static const char *const facet[] = {"normal", NULL, NULL, NULL, "outer",  "loop", "vertex", NULL, NULL,      NULL,
+                                    "vertex", NULL, NULL, NULL, "vertex", NULL,   NULL,     NULL, "endloop", "endfacet"};
 
-static int take_numbers(scan *s, double numbers[3], const char *due)
-{
-    for (int a = 0; a < 3; a++)
-        if (!words_next(&s->words) || (numbers && !words_number(&s->words, &numbers[a], &s->fit)))
-            return words_refuse(&s->words, due);
-    return EXIT_CODE_OK;
-}
-
-/* What follows the word "facet". */
 static int take_facet(scan *s)
 {
-    int code = expect(s, "normal");
-    code = code ? code : take_numbers(s, NULL, "a coordinate of a normal");
-    code = code ? code : expect(s, "outer");
-    code = code ? code : expect(s, "loop");
-    for (int v = 0; !code && v < 3; v++) {
-        code = expect(s, "vertex");
-        code = code ? code : take_numbers(s, s->item.position + 3 * v, "a coordinate of a vertex");
+    words *const w = &s->words;
+    double *number = s->item.position;
+    for (size_t n = 0; n < sizeof facet / sizeof facet[0]; n++) {
+        const char *const due = facet[n];
+        char quoted[16];
+        if (words_next(w) && (due ? words_is(w, due) : n < 4 || words_number(w, number++, &s->fit)))
+            continue;
+        snprintf(quoted, sizeof quoted, "'%s'", due ? due : "");
+        return words_refuse(w, due ? quoted : n < 4 ? "a coordinate of a normal" : "a coordinate of a vertex");
     }
-    code = code ? code : expect(s, "endloop");
-    code = code ? code : expect(s, "endfacet");
     s->item.kind = SCAN_FACET;
     s->item.corners = 3;
-    return code;
+    return EXIT_CODE_OK;
 }
 
 /* Each facet has the space before it. */

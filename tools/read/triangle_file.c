@@ -71,14 +71,6 @@ static int open_stream(const char *path, triangle_file *file)
     return file->size ? EXIT_CODE_OK : message_failure("%s: the file is empty", path);
 }
 
-static int refuse_stl_size(const triangle_file *file, uint64_t due)
-{
-    const char *what = file->size < due ? "truncated" : "has bytes after its last triangle";
-    return message_failure("%s: %s, or not an STL file: it has %" PRIu64 " bytes where a binary STL file of %" PRIu64
-                           " triangles, as its header says, has %" PRIu64 "; write it again",
-                           file->name, what, file->size, file->promised, due);
-}
-
 /* Text is left to the readers of text, unless --format says that the file is binary. */
 static int leave_text(triangle_file *file, bool is_ply, bool is_given)
 {
@@ -119,7 +111,12 @@ static int open_stl(triangle_file *file, bool is_given)
         return message_failure(
             "%s: truncated, or not an STL file: it has %zu bytes, but the header alone of a binary one has %d; write it again",
             file->name, got, STL_HEADER);
-    return file->is_sized && file->size != due ? refuse_stl_size(file, due) : EXIT_CODE_OK;
+    if (!file->is_sized || file->size == due)
+        return EXIT_CODE_OK;
+    return message_failure("%s: %s, or not an STL file: it has %" PRIu64 " bytes where a binary STL file of %" PRIu64
+                           " triangles, as its header says, has %" PRIu64 "; write it again",
+                           file->name, file->size < due ? "truncated" : "has bytes after its last triangle", file->size,
+                           file->promised, due);
 }
 
 static int open_raw(triangle_file *file)

@@ -51,10 +51,8 @@ extern const triangle_layout triangle_layouts[];
 /* Turns so many records into the floats or doubles of this machine, in place. */
 void triangles_unpack(triangle_format format, size_t count, unsigned char *bytes);
 
-/* The format by the ending of a name. */
+/* By the ending of a name; or by its own name, which returns an exit_code. */
 triangle_format triangle_format_of(const char *path);
-
-/* Reads a format by its name. Returns an exit_code. */
 int triangle_format_read(const char *text, triangle_format *format);
 
 /* Refuses standard input of no given format. Returns an exit_code. */

@@ -99,7 +99,7 @@ static int work_on_colours(const voxelize_request *r, voxelize_input *in, voxeli
 {
     mesh_colours colours;
     const file_out_names names = result_names(&r->result);
-    int code = mesh_colours_read(r->from.mesh_path, r->from.format, in->mesh->triangles, &names, &colours);
+    int code = mesh_colours_read(r->from.mesh_path, r->from.format, in->mesh->triangles, &names, true, &colours);
     if (code)
         return code;
     in->colours = &colours;
