@@ -66,10 +66,8 @@ int cell_colours_make_palette(cell_colours *c, const char *path);
 /* Finds the places of all bricks in a grid of so many cells. False where there is no memory. */
 bool cell_colours_place(cell_colours *c, const uint32_t cells[3]);
 
-/* The colours of a brick that is there. */
+/* The colours of a brick that is there, or of a set cell. */
 const rgb *cell_colours_of_brick(const cell_colours *c, const uint32_t at[3]);
-
-/* The colour of a set cell. */
 rgb cell_colours_at(const cell_colours *c, const uint32_t cell[3]);
 
 void cell_colours_free(cell_colours *c);

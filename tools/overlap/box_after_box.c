@@ -135,7 +135,7 @@ static bool reorder_corners(mesh *m, const uint32_t *order)
             const size_t corner = 3 * (size_t)order[i] + v;
             corners[3 * i + v] = m->corners ? m->corners[corner] : (uint32_t)corner;
         }
-    free(m->corners);
+    mesh_drop_corners(m);
     m->corners = corners;
     m->doubles.indices = corners;
     m->doubles.index_bytes = sizeof *corners;

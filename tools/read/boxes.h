@@ -35,12 +35,9 @@ typedef struct box_file {
     size_t line; /* the last line that was read, counted from 1 */
 } box_file;
 
-/* Opens a file, "-" for standard input. Returns an exit_code. */
+/* Opens a file, "-" for standard input; and reads the next box: *end receives whether there is none. Return an exit_code. */
 int box_file_open(box_file *boxes, const char *path);
-
-/* Reads the next box; *end receives whether there is none. Returns an exit_code. */
 int box_file_next(box_file *boxes, written_box *box, bool *end);
-
 void box_file_close(box_file *boxes);
 
 #endif

@@ -199,7 +199,8 @@ bool polygon_cut(const indexed_mesh *m, const uint32_t *face, size_t corners, ui
 
 void *page_list_add(size_t count, size_t each, page_list *list)
 {
-    void *const of = memory_grow_pages(list->of, list->count + count, &list->room, each);
+    const bool has_room = list->of && count <= list->room - list->count;
+    void *const of = has_room ? list->of : memory_grow_pages(list->of, list->count + count, &list->room, each);
     if (!of)
         return NULL;
     list->of = of;
@@ -288,22 +289,17 @@ bool indexed_mesh_cut(unsigned threads, indexed_mesh *m)
     return is_cut;
 }
 
-/* For free(). */
-static void *copy(const page_list *list, size_t each)
+/* Lists of doubles go over to the mesh. */
+static void take_doubles(indexed_mesh *from, size_t triangles, unsigned threads, mesh *m)
 {
-    void *const to = malloc(list->count * each);
-    return to ? memcpy(to, list->of, list->count * each) : NULL;
-}
-
-static bool take_doubles(const indexed_mesh *from, size_t triangles, unsigned threads, mesh *m)
-{
-    double *const positions = copy(&from->positions, sizeof(double[3]));
-    uint32_t *const corners = from->is_soup ? NULL : copy(&from->corners, sizeof *corners);
-    const bool is_taken = positions && (corners || from->is_soup);
-    mesh_set_doubles(positions, from->positions.count, corners, triangles, m);
-    if (is_taken)
-        mesh_look_all(NULL, threads, m);
-    return is_taken;
+    mesh_set_doubles(from->positions.of, from->positions.count, from->is_soup ? NULL : from->corners.of, triangles, m);
+    m->position_room = from->positions.room * sizeof(double[3]);
+    from->positions = (page_list){.of = NULL};
+    if (!from->is_soup) {
+        m->corner_room = from->corners.room * sizeof(uint32_t);
+        from->corners = (page_list){.of = NULL};
+    }
+    mesh_look_all(NULL, threads, m);
 }
 
 int mesh_take(const char *path, indexed_mesh *from, bool is_wide, unsigned threads, mesh *m)
@@ -322,8 +318,10 @@ int mesh_take(const char *path, indexed_mesh *from, bool is_wide, unsigned threa
         const int code = mesh_make_room(path, all.count, m);
         if (code)
             return code;
+        is_taken = mesh_look_all(&all, threads, m);
+    } else if (is_taken) {
+        take_doubles(from, all.count, threads, m);
     }
-    is_taken = is_taken && (are_doubles ? take_doubles(from, all.count, threads, m) : mesh_look_all(&all, threads, m));
     return is_taken || !path ? !is_taken : message_failure("%s: out of memory for its triangles" MESH_TO_SORT, path);
 }
 

@@ -45,10 +45,7 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
     int code = mesh_make_room(path, all.count, m);
     if (!code && !mesh_look_all(&all, 1, m))
         code = message_failure("%s: refers to vertices that there are not", path);
-    free(m->positions);
-    free(m->corners);
-    m->positions = m->corners = NULL;
-    m->is_double = false;
+    mesh_drop_doubles(m);
     return code;
 }
 

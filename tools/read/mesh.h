@@ -56,7 +56,8 @@ typedef struct mesh {
     float *coordinates;      /* what the streams point into, from pages_take */
     void *positions;         /* and what `doubles` does */
     uint32_t *corners;
-    char *opened; /* by libassimp: names of files, each with its end, and then an empty one; or NULL */
+    size_t position_room, corner_room; /* bytes of these from pages_take; 0: from malloc */
+    char *opened;                      /* by libassimp: names of files, each with its end, and then an empty one; or NULL */
 } mesh;
 
 /* Where the triangles of a stream go that are more than memory is to hold. */
@@ -87,6 +88,8 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m);
 int mesh_make_room(const char *path, uint64_t count, mesh *m);
 
 void mesh_drop_floats(mesh *m);
+void mesh_drop_corners(mesh *m);
+void mesh_drop_doubles(mesh *m);
 
 /* Where triangle `first` goes: x of the three vertices, then y, then z. */
 void mesh_streams(const mesh *m, size_t first, float *to[9]);

@@ -43,14 +43,13 @@ void whole_file_free(whole_file *file);
 #define MESH_TO_SORT "; save it as binary .stl, .f32 or .f64, which 'tribox voxelize' and 'tribox partition' sort on the disk"
 
 const char *mesh_kind_ending(mesh_kind kind);
+bool mesh_kind_has_ending(const char *path, const char *ending);
 
 /* The kind of a file, from its beginning; OTHER where it cannot be read. */
 mesh_kind mesh_kind_of(const char *path);
 
 /* Whether it is PLY that is not text, whose triangles need not be read all at once. */
 bool mesh_is_binary_ply(const char *path);
-
-bool mesh_kind_has_ending(const char *path, const char *ending);
 
 /*
  * The bar of a file that is read for more than a moment. One file after another. Any thread tells what share is done, 0 to 1: cheap,

@@ -51,11 +51,34 @@ void mesh_drop_floats(mesh *m)
     m->soup = (tribox_soup){.count = 0};
 }
 
+static void give_back(void *of, size_t room)
+{
+    if (room)
+        pages_free(of, room);
+    else
+        free(of);
+}
+
+void mesh_drop_corners(mesh *m)
+{
+    give_back(m->corners, m->corner_room);
+    m->corners = NULL;
+    m->corner_room = 0;
+}
+
+void mesh_drop_doubles(mesh *m)
+{
+    mesh_drop_corners(m);
+    give_back(m->positions, m->position_room);
+    m->positions = NULL;
+    m->position_room = 0;
+    m->is_double = false;
+}
+
 void mesh_free(mesh *m)
 {
     mesh_drop_floats(m);
-    free(m->positions);
-    free(m->corners);
+    mesh_drop_doubles(m);
     free(m->opened);
     *m = (mesh){.coordinates = NULL};
 }

@@ -21,12 +21,9 @@ typedef struct words {
 
 words words_of(const char *path, const whole_file *file, char comment);
 
-/* Moves to the next word. Returns false at the end of the text. */
+/* Moves to the next word of the text, or of this line. Returns false, and stays there, where there is none. */
 bool words_next(words *w);
-
-/* Moves to the next word of this line. Returns false, and stays on the line, where there is none. */
 bool words_next_on_line(words *w);
-
 void words_skip_line(words *w);
 
 /*
@@ -52,10 +49,8 @@ int words_refuse(const words *w, const char *due);
 /* Whether the text ends with the last word, which may then be part of a longer one. */
 bool words_is_cut(const words *w);
 
-/* The line of the last word, counted from 1. */
+/* For messages: the line of the last word, counted from 1, and how much to show of it, with %.*s. */
 uint64_t words_line(const words *w);
-
-/* What to show of the last word in a message, with %.*s. */
 int words_shown(const words *w);
 
 /* By the first word of a text, which may be none: what a file says of itself counts for more than its name. */
