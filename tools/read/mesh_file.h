@@ -52,8 +52,8 @@ mesh_kind mesh_kind_of(const char *path);
 bool mesh_is_binary_ply(const char *path);
 
 /*
- * The bar of a file that is read for more than a moment. One file after another. Any thread tells what share is done, 0 to 1: cheap,
- * but not for every triangle.
+ * The bar of a file that is read for more than a moment. One file after another. Any thread tells what share is done, 0 to 1:
+ * cheap, but not for every triangle.
  */
 void reading_begin(void);
 void reading_tell(double done);
