@@ -199,8 +199,7 @@ static int show_voxels(request *r, const tribox_soup *soup)
     if (!bits)
         return message_failure("out of memory for the voxels of the mesh");
     const double seconds = time_voxels(soup, &grid, threads, bits);
-    const voxels_slab slab = {.layers = grid.size[2], .bits = bits};
-    const voxels v = {.grid = grid, .slab = &slab, .slabs = 1};
+    const voxels v = {.grid = grid, .words = bits};
     code = seconds > 0 ? preview_draw(&r->picture, &v, &PREVIEW_LOOK_DEFAULT, threads)
                        : message_failure("the voxels of two kernels differ");
     if (!code) {

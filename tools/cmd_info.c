@@ -47,10 +47,11 @@ static const option_entry options[] = {{"out", 'o', OPTION_NAMES(request, out_pa
 /* What the manual page is made of, too. */
 static void print_format(json *j, const volume_format *format)
 {
+    static const char *const kinds[] = {[VOLUME_SPARSE] = "sparse", [VOLUME_DENSE] = "dense", [VOLUME_FACES] = "faces"};
     json_open_object(j, NULL);
     json_string(j, "word", format->word);
     json_string(j, "ending", format->ending);
-    json_string(j, "kind", volume_kind(format));
+    json_string(j, "kind", kinds[volume_kind_of(format)]);
     json_string(j, "about", format->about);
     json_string(j, "holds", format->holds);
     json_close(j);

@@ -18,7 +18,7 @@
 #include "console/output.h"
 #include "console/system.h"
 #include "voxelize/result_options.h"
-#include "write/brick_out.h"
+#include "write/volume.h"
 #include "write/file_out.h"
 #include "write/part.h"
 #include "write/voxels.h"

@@ -3,9 +3,9 @@
 #include "picture/preview.h"
 #include "read/mesh.h"
 #include "read/mesh_file.h"
-#include "write/brick_out.h"
 #include "write/mesh_npz.h"
 #include "write/part.h"
+#include "write/volume.h"
 
 #ifdef WITHOUT_PNG
 const bool picture_png_is_there = false;
@@ -46,7 +46,7 @@ static int refuse_vdb(const char *path, const tribox_grid *grid)
     return message_failure("%s: this tribox was built without OpenVDB, which .vdb needs; write .npz", path);
 }
 
-const volume_writer volume_vdb = {.check_grid = refuse_vdb, .bricks = &(const brick_writer){.open = NULL}};
+const volume_writer volume_vdb = {.check_grid = refuse_vdb};
 #endif
 
 #ifdef WITHOUT_ZLIB
@@ -56,7 +56,7 @@ static int refuse_npz(const char *path, const tribox_grid *grid)
     return message_failure("%s: this tribox was built without zlib, which .npz needs; write .npy or .raw", path);
 }
 
-const volume_writer volume_npz = {.check_grid = refuse_npz, .bricks = &(const brick_writer){.open = NULL}};
+const volume_writer volume_npz = {.check_grid = refuse_npz};
 
 int mesh_npz_write(const file_out *out, const mesh *m, const rgb *colours)
 {

@@ -29,6 +29,16 @@ const char *decimal_of(double number, bool is_float, char text[DECIMAL_MAX])
     return write(number, digits, text);
 }
 
+const char *decimals_of(const double number[3], char between, char text[3 * DECIMAL_MAX])
+{
+    char *to = text;
+    for (int n = 0; n < 3; n++) {
+        to += strlen(decimal_of_double(number[n], to));
+        *to++ = n < 2 ? between : '\0';
+    }
+    return text;
+}
+
 const char *duration_text(double seconds, char text[DURATION_MAX])
 {
     const double minutes = seconds / 60;

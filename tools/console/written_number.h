@@ -15,6 +15,9 @@ const char *decimal_of(double number, bool is_float, char text[DECIMAL_MAX]);
 
 static inline const char *decimal_of_double(double number, char text[DECIMAL_MAX]) { return decimal_of(number, false, text); }
 
+/* Three of them, with a character between. Returns text. */
+const char *decimals_of(const double number[3], char between, char text[3 * DECIMAL_MAX]);
+
 enum { DURATION_MAX = 32 }; /* the longest text, with its end */
 
 /* "0.125 ms", "126.7 s", "1 h 05 min". Returns text. */

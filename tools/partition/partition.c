@@ -28,7 +28,7 @@ bool partition_is_folder(const char *path)
 
 voxels partition_voxels(const partition_header *header)
 {
-    voxels v = {.slabs = 0};
+    voxels v = {.words = NULL};
     memcpy(v.grid.origin, header->origin, sizeof v.grid.origin);
     memcpy(v.grid.cell, header->cell, sizeof v.grid.cell);
     memcpy(v.grid.size, header->size, sizeof v.grid.size);

@@ -30,9 +30,10 @@ enum { SIDE = 64 };
 typedef struct walk {
     const voxels *cells;
     uint64_t *mask;
-    void (*take)(void *data, const rectangle *r);
-    bool (*tell)(void *data, double done);
+    bool (*take)(void *data, const rectangle *r);
     void *data;
+    shell_share share;
+    bool is_over;
 } walk;
 
 static size_t words_of(uint32_t bits) { return tribox_mask_words(bits); }
@@ -114,7 +115,7 @@ static void cut_rectangle(const walk *k, uint64_t *mask, size_t words, uint32_t 
 }
 
 /* Takes all bits of a mask; r says which plane it is. */
-static void cut_mask(const walk *k, uint64_t *mask, size_t words, uint32_t rows, rectangle r)
+static void cut_mask(walk *k, uint64_t *mask, size_t words, uint32_t rows, rectangle r)
 {
     for (uint32_t j = 0; j < rows; j++) {
         uint64_t *const row = mask + j * words;
@@ -123,7 +124,7 @@ static void cut_mask(const walk *k, uint64_t *mask, size_t words, uint32_t rows,
                 r.from[0] = (uint32_t)(64 * w) + lowest_bit(row[w]);
                 r.from[1] = j;
                 cut_rectangle(k, mask, words, rows, &r);
-                k->take(k->data, &r);
+                k->is_over |= !k->take(k->data, &r);
             }
     }
 }
@@ -146,7 +147,7 @@ static const uint64_t *row_of(const walk *k, int axis, uint32_t plane, uint32_t 
     return voxels_layer(k->cells, axis == 2 ? plane : row) + (axis == 2 ? row : plane) * voxels_row_words(&k->cells->grid);
 }
 
-static void cut_plane(const walk *k, int axis, uint32_t plane, bool is_up)
+static void cut_plane(walk *k, int axis, uint32_t plane, bool is_up)
 {
     const size_t words = voxels_row_words(&k->cells->grid);
     const uint32_t rows = k->cells->grid.size[rectangle_v(axis)];
@@ -155,18 +156,6 @@ static void cut_plane(const walk *k, int axis, uint32_t plane, bool is_up)
         any |= faces_of_rows(row_of(k, axis, plane - 1, j), row_of(k, axis, plane, j), is_up, words, k->mask + j * words);
     if (any)
         cut_mask(k, k->mask, words, rows, (rectangle){.axis = axis, .plane = plane, .is_up = is_up});
-}
-
-/* Bit i of word j becomes bit j of word i: blocks beside the diagonal are swapped, of 32 x 32 bits, then of 16 x 16, and so on. */
-static void transpose(uint64_t block[SIDE])
-{
-    uint64_t low = UINT64_C(0xffffffff);
-    for (uint32_t n = 32; n; n /= 2, low ^= low << n)
-        for (uint32_t i = 0; i < SIDE; i = (i + n + 1) & ~n) {
-            const uint64_t other = (block[i] >> n ^ block[i + n]) & low;
-            block[i] ^= other << n;
-            block[i + n] ^= other;
-        }
 }
 
 /* The faces on the planes across x from 64 w on, of a row of cells. */
@@ -191,7 +180,7 @@ static uint64_t lay_planes(const walk *k, size_t w, bool is_up)
             for (uint32_t j = 0; j < rows; j++)
                 any |= block[j] = faces_across_x(from + j * words, words, w, is_up);
             if (any)
-                transpose(block);
+                voxels_transpose(block);
             for (size_t i = 0; any && i < SIDE; i++)
                 k->mask[(i * n[2] + z) * y_words + y] = block[i];
             all |= any;
@@ -199,7 +188,7 @@ static uint64_t lay_planes(const walk *k, size_t w, bool is_up)
     return all;
 }
 
-static void cut_planes_across_x(const walk *k, size_t w, bool is_up)
+static void cut_planes_across_x(walk *k, size_t w, bool is_up)
 {
     const uint32_t *const n = k->cells->grid.size;
     const size_t y_words = words_of(n[1]);
@@ -210,26 +199,31 @@ static void cut_planes_across_x(const walk *k, size_t w, bool is_up)
     }
 }
 
-/*
- * Hands over each rectangle; what is outside the grid is clear. Greedy: as long as possible along u, then along v, of cells of one
- * colour where they have colours. Each time in the same order. tell: called with the share that is done; returns whether to stop.
- */
-static void rectangles_walk(const voxels *v, uint64_t *mask, void (*take)(void *data, const rectangle *r),
-                            bool (*tell)(void *data, double done), void *data)
+static void tell(const walk *k, double done)
 {
-    const walk k = {v, mask, take, tell, data};
+    if (k->share.bar)
+        progress_tell(k->share.bar, k->share.from + (k->share.to - k->share.from) * done);
+}
+
+/*
+ * Hands over each rectangle, until one is not taken, but those of its plane; what is outside the grid is clear. Greedy: as long as
+ * possible along u, then along v, of cells of one colour where they have colours. Each time in the same order.
+ */
+static void rectangles_walk(const voxels *v, uint64_t *mask, bool (*take)(void *data, const rectangle *r), void *data,
+                            shell_share share)
+{
+    walk k = {v, mask, take, data, share, false};
     const size_t x_words = words_of(v->grid.size[0] + 1);
-    bool is_over = false;
-    for (size_t w = 0; w < x_words && !is_over; w++) {
+    for (size_t w = 0; w < x_words && !k.is_over; w++) {
         cut_planes_across_x(&k, w, false);
         cut_planes_across_x(&k, w, true);
-        is_over = tell(data, (double)(w + 1) / (double)x_words / 3);
+        tell(&k, (double)(w + 1) / (double)x_words / 3);
     }
     for (int axis = 1; axis < 3; axis++)
-        for (uint32_t p = 0; p <= v->grid.size[axis] && !is_over; p++) {
+        for (uint32_t p = 0; p <= v->grid.size[axis] && !k.is_over; p++) {
             cut_plane(&k, axis, p, false);
             cut_plane(&k, axis, p, true);
-            is_over = tell(data, (axis + (p + 1.0) / (v->grid.size[axis] + 1.0)) / 3);
+            tell(&k, (axis + (p + 1.0) / (v->grid.size[axis] + 1.0)) / 3);
         }
 }
 
@@ -348,8 +342,9 @@ static bool is_marked(const lattice *l, const uint32_t at[3])
     return l->marks[row_of_point(l, at) + at[0] / 64] >> at[0] % 64 & 1;
 }
 
-static void lattice_mark(lattice *l, const rectangle *r)
+static bool mark(void *data, const rectangle *r)
 {
+    lattice *const l = data;
     const int u = rectangle_u(r->axis), v = rectangle_v(r->axis);
     uint32_t at[3];
     at[r->axis] = r->plane;
@@ -358,6 +353,7 @@ static void lattice_mark(lattice *l, const rectangle *r)
         at[v] = corner / 2 ? r->to[1] : r->from[1];
         l->marks[row_of_point(l, at) + at[0] / 64] |= UINT64_C(1) << at[0] % 64;
     }
+    return true;
 }
 
 /* Two cells of a row side by side along x, the second of which is cell i; beyond the grid they are clear. */
@@ -375,7 +371,7 @@ static unsigned around(const lattice *l, const uint32_t at[3])
         for (unsigned j = 0; j < 2; j++) {
             const uint32_t y = at[1] - 1 + j, z = at[2] - 1 + k; /* one before the first wraps around */
             if (y < n[1] && z < n[2])
-                cells |= pair(l->cells->slab->bits + (z * (size_t)n[1] + y) * l->cell_words, at[0], n[0]) << 2 * (j + 2 * k);
+                cells |= pair(l->cells->words + (z * (size_t)n[1] + y) * l->cell_words, at[0], n[0]) << 2 * (j + 2 * k);
         }
     return cells;
 }
@@ -568,9 +564,9 @@ enum { LOW, HIGH, LEFT, RIGHT, SIDES };
 typedef struct cutting {
     const shell *s;
     shell_taker *take;
-    bool (*tell)(void *data, double done);
     void *data;
     bool is_turned; /* u, v and the outside are left-handed */
+    bool is_over;
     rgb colour;
 } cutting;
 
@@ -610,20 +606,20 @@ static side find_side(const shell *s, const rectangle *r, int along, bool is_far
     return found;
 }
 
-static void take_triangle(const cutting *c, uint32_t a, uint32_t b, uint32_t d)
+static void take_triangle(cutting *c, uint32_t a, uint32_t b, uint32_t d)
 {
-    c->take(c->data, (const uint32_t[3]){a, c->is_turned ? d : b, c->is_turned ? b : d}, c->colour);
+    c->is_over |= !c->take(c->data, (const uint32_t[3]){a, c->is_turned ? d : b, c->is_turned ? b : d}, c->colour);
 }
 
 /* A triangle whose edge from b to d is a side of the rectangle, there and back: cut where the side has vertices. */
-static void take_fan(const cutting *c, uint32_t tip, const side *edge, bool is_back)
+static void take_fan(cutting *c, uint32_t tip, const side *edge, bool is_back)
 {
     for (uint32_t n = 0; n + 1 < edge->count; n++)
         take_triangle(c, tip, edge->at[n + is_back].vertex, edge->at[n + !is_back].vertex);
 }
 
 /* Triangles between the low and the high side from left to right; the first and the last of them have the other two sides. */
-static void take_between(const cutting *c, const side sides[SIDES])
+static void take_between(cutting *c, const side sides[SIDES])
 {
     const side *const low = &sides[LOW], *const high = &sides[HIGH];
     uint32_t i = 0, j = 0;
@@ -642,7 +638,7 @@ static void take_between(const cutting *c, const side sides[SIDES])
     }
 }
 
-static void cut_sides(void *data, const rectangle *r)
+static bool cut_sides(void *data, const rectangle *r)
 {
     cutting *const c = data;
     const size_t room = (size_t)side_room(&c->s->points.cells->grid);
@@ -652,60 +648,34 @@ static void cut_sides(void *data, const rectangle *r)
     c->is_turned = (r->axis == 1) == r->is_up;
     c->colour = r->colour;
     take_between(c, sides);
+    return !c->is_over;
 }
 
-static bool tell_cutting(void *data, double done)
+void shell_triangles(const shell *s, shell_taker *take, void *data, shell_share share)
 {
-    const cutting *const c = data;
-    return c->tell(c->data, done);
+    cutting c = {.s = s, .take = take, .data = data};
+    rectangles_walk(s->points.cells, s->mask, cut_sides, &c, share);
 }
 
-void shell_triangles(const shell *s, shell_taker *take, bool (*tell)(void *data, double done), void *data)
+static bool count(void *data, const uint32_t triangle[3], rgb colour)
 {
-    cutting c = {.s = s, .take = take, .tell = tell, .data = data};
-    rectangles_walk(s->points.cells, s->mask, cut_sides, tell_cutting, &c);
-}
-
-/* The walks that find vertices and count triangles. */
-typedef struct making {
-    shell *s;
-    bool (*tell)(void *data, double done);
-    void *data;
-    double from;
-} making;
-
-static void mark(void *data, const rectangle *r)
-{
-    making *const m = data;
-    lattice_mark(&m->s->points, r);
-}
-
-static void count(void *data, const uint32_t triangle[3], rgb colour)
-{
-    making *const m = data;
+    shell *const s = data;
     (void)triangle, (void)colour;
-    m->s->triangles++;
+    s->triangles++;
+    return true;
 }
 
-static bool tell_making(void *data, double done)
+bool shell_make(shell *s, const voxels *cells, progress *bar, double share)
 {
-    const making *const m = data;
-    return m->tell(m->data, m->from + done / 2);
-}
-
-bool shell_make(shell *s, const voxels *cells, bool (*tell)(void *data, double done), void *data)
-{
-    making m = {s, tell, data, 0};
     *s = (shell){.mask = malloc((size_t)rectangles_words(&cells->grid) * sizeof *s->mask),
                  .side = malloc(SIDES * (size_t)side_room(&cells->grid) * sizeof *s->side)};
     if (!lattice_open(&s->points, cells) || !s->mask || !s->side)
         return false;
-    rectangles_walk(cells, s->mask, mark, tell_making, &m);
+    rectangles_walk(cells, s->mask, mark, &s->points, (shell_share){bar, 0, share / 2});
     if (!lattice_number(&s->points))
         return false;
-    m.from = 0.5;
     if (s->points.vertices <= LATTICE_VERTICES_MAX)
-        shell_triangles(s, count, tell_making, &m);
+        shell_triangles(s, count, s, (shell_share){bar, share / 2, share});
     return true;
 }
 

@@ -37,7 +37,7 @@ typedef struct lattice_extra {
  * edge: two set cells that touch in an edge and hold together around both of its ends would otherwise have that edge twice.
  */
 typedef struct lattice {
-    const voxels *cells; /* one slab with the whole grid */
+    const voxels *cells;
     fans fans;
     uint32_t size[3];             /* points along each axis */
     size_t row_words, cell_words; /* of a row of points, and of cells */
@@ -65,18 +65,23 @@ typedef struct shell {
 /* What it takes besides the cells, in bytes. */
 uint64_t shell_bytes(const tribox_grid *grid);
 
+/* Which share of a bar, NULL for none, a walk is. */
+typedef struct shell_share {
+    progress *bar;
+    double from, to;
+} shell_share;
+
 /*
- * Finds vertices, which points.vertices tells, and counts triangles, unless there are more vertices than the most. cells: one slab
- * with the whole grid, and to stay. tell: as below; told of 0 to 1 of this. Returns false without memory; shell_free is due in any
- * case.
+ * Finds vertices, which points.vertices tells, and counts triangles, unless there are more vertices than the most. cells: they
+ * are to stay. Returns false without memory; shell_free is due in any case.
  */
-bool shell_make(shell *s, const voxels *cells, bool (*tell)(void *data, double done), void *data);
+bool shell_make(shell *s, const voxels *cells, progress *bar, double share);
 void shell_free(shell *s);
 
-/* A triangle by the numbers of its vertices, and the colour of the cells behind it, where they have one. */
-typedef void shell_taker(void *data, const uint32_t triangle[3], rgb colour);
+/* A triangle by the numbers of its vertices, and the colour of the cells behind it, where they have one. False ends the walk. */
+typedef bool shell_taker(void *data, const uint32_t triangle[3], rgb colour);
 
-/* Hands over each triangle. tell: told the share that is done; returns whether to stop. */
-void shell_triangles(const shell *s, shell_taker *take, bool (*tell)(void *data, double done), void *data);
+/* Hands over each triangle. */
+void shell_triangles(const shell *s, shell_taker *take, void *data, shell_share share);
 
 #endif

@@ -102,7 +102,7 @@ int result_take_words(const result_request *r, const tribox_grid *grid, const ch
     const size_t count = voxels_layer_words(grid) * grid->size[2];
     int code = EXIT_CODE_OK;
     *words = NULL;
-    if (r->format && !r->format->writer->bricks)
+    if (r->format && volume_kind_of(r->format) == VOLUME_DENSE)
         code = voxels_check_words(grid, instead);
     if (code || !r->preview_path)
         return code;
@@ -117,9 +117,7 @@ int result_take_words(const result_request *r, const tribox_grid *grid, const ch
 
 int result_draw(const result_request *r, const voxels *cells, const uint64_t *words, unsigned threads, file_out *picture)
 {
-    const voxels_slab slab = {.layers = cells->grid.size[2], .bits = words};
     voxels v = *cells;
-    v.slab = &slab;
-    v.slabs = 1;
+    v.words = words;
     return words ? preview_draw(picture, &v, &r->look, threads) : EXIT_CODE_OK;
 }

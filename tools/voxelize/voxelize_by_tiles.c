@@ -7,7 +7,7 @@
 #include "console/message.h"
 #include "tile_set.h"
 #include "voxelize_work.h"
-#include "write/brick_out.h"
+#include "write/volume.h"
 #include "write/part.h"
 #include "write/voxels.h"
 
@@ -46,8 +46,8 @@ static part_header header_of(const tile_job *j)
     const mesh *const m = j->in->mesh;
     const partition_header *const p = m ? NULL : &j->in->partition->header;
     return (part_header){.shard = r->shard,
+                         .shards = r->shards,
                          .whole = {.cells = j->in->cells,
-                                   .shards = r->shards,
                                    .accuracy = r->test.accuracy,
                                    .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
                                    .position_bytes = m ? (m->is_double ? sizeof(double) : sizeof(float)) : p->position_bytes,

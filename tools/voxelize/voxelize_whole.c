@@ -14,7 +14,7 @@
 #include "tile_set.h"
 #include "tribox_threads.h"
 #include "voxelize_work.h"
-#include "write/brick_out.h"
+#include "write/volume.h"
 #include "write/voxels.h"
 
 /* Each window of a fill looks at all triangles: there are twice as many as threads, so that none waits long, and no more. */
@@ -194,7 +194,7 @@ static int put_cells(const whole *w, const voxels *v, voxelize_files *files, vox
     else
         code = bricks_cut(v, tile, count_brick, &bricks, &bar);
     progress_end(&bar);
-    a->has_bricks = r->is_count || !strcmp(volume_kind(r->result.format), "sparse");
+    a->has_bricks = r->is_count || volume_kind_of(r->result.format) == VOLUME_SPARSE;
     a->bricks = bricks;
     return code;
 }
@@ -202,12 +202,9 @@ static int put_cells(const whole *w, const voxels *v, voxelize_files *files, vox
 static int write_files(const whole *w, voxelize_files *files, voxelize_answer *a)
 {
     const fill_cells cells = w->r->cells;
-    const voxels_slab slab = {.layers = w->cells.grid.size[2],
-                              .bits = w->solid && cells != FILL_CELLS_INSIDE ? w->solid : w->surface,
-                              .inside = cells == FILL_CELLS_LABELLED ? w->surface : NULL};
     voxels v = w->cells;
-    v.slab = &slab;
-    v.slabs = 1;
+    v.words = w->solid && cells != FILL_CELLS_INSIDE ? w->solid : w->surface;
+    v.inside = cells == FILL_CELLS_LABELLED ? w->surface : NULL;
     v.colours = w->in->colours ? &w->colours : NULL;
     int code = put_cells(w, &v, files, a);
     if (!code)

@@ -32,7 +32,7 @@ static bool is_grid_small(const voxelize_request *r, const tribox_grid *grid, si
 /* Formats of all cells take the whole grid, and so do small ones; all else goes tile by tile. */
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
-    const bool is_dense = !r->is_count && !r->result.format->writer->bricks && !r->result.options.has_ids;
+    const bool is_dense = !r->is_count && volume_kind_of(r->result.format) == VOLUME_DENSE && !r->result.options.has_ids;
     const bool is_small = in->mesh && (is_dense || is_grid_small(r, &in->cells.grid, in->mesh->triangles));
     return r->has_colours || r->is_thin || is_small;
 }

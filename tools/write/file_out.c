@@ -62,31 +62,51 @@ static int find_target(file_out *out)
                            about.kind == FILE_KIND_FOLDER ? "is a directory" : "is not a regular file");
 }
 
-char *file_out_beside(const char *path, bool is_folder)
+static const char passing_name[] = ".tribox-XXXXXX";
+
+/* A name for what is on its way to this one, in the same folder: one made from it could be too long. NULL without memory. */
+static char *name_beside(const char *path, bool is_folder)
 {
-    static const char name[] = ".tribox-XXXXXX";
-    char *const beside = malloc(strlen(path) + sizeof name);
+    char *const beside = malloc(strlen(path) + sizeof passing_name);
     if (beside) {
         strcpy(beside, path);
         for (size_t end = strlen(path); is_folder && end > 1 && named_file_folder(beside) == end; end--)
             beside[end - 1] = '\0'; /* separators at the end */
-        strcpy(beside + named_file_folder(beside), name);
+        strcpy(beside + named_file_folder(beside), passing_name);
     }
     return beside;
 }
 
+static char *name_within(const char *folder, const char *name)
+{
+    char *const path = malloc(strlen(folder) + strlen(name) + 2);
+    if (path)
+        sprintf(path, "%s/%s", folder, name);
+    return path;
+}
+
+static FILE *open_named(char *name) { return named_file_open(name, "wb"); }
+
+/* A signal waits until the file is watched, or has no name. NULL with errno. */
+static FILE *open_held(FILE *(*open)(char *name), char *name, bool is_watched)
+{
+    interrupt_hold();
+    FILE *const file = open(name);
+    const int reason = errno;
+    if (file && is_watched)
+        interrupt_watch(name);
+    interrupt_release();
+    errno = reason;
+    return file;
+}
+
 static int make_beside(file_out *out)
 {
-    out->beside = file_out_beside(out->target, false);
+    out->beside = name_beside(out->target, false);
     if (!out->beside)
         return message_failure("%s: out of memory", out->path);
-    interrupt_hold();
-    out->stream = new_file_open(out->beside);
-    const int reason = errno;
-    if (out->stream)
-        interrupt_watch(out->beside);
-    interrupt_release();
-    return out->stream ? EXIT_CODE_OK : message_failure("%s: cannot write there: %s", out->path, strerror(reason));
+    out->stream = open_held(new_file_open, out->beside, true);
+    return out->stream ? EXIT_CODE_OK : message_failure("%s: cannot write there: %s", out->path, strerror(errno));
 }
 
 static void forget(file_out *out)
@@ -205,7 +225,7 @@ int file_out_keep_both(file_out *one, file_out *other)
     if (!code)
         code = complete(other);
     const bool is_over = one->beside && other->beside && named_file_is_there(one->target);
-    char *const aside = !code && is_over ? file_out_beside(one->target, false) : NULL;
+    char *const aside = !code && is_over ? name_beside(one->target, false) : NULL;
     if (!code && is_over && !aside)
         code = message_failure("%s: out of memory", one->path);
     if (!code)
@@ -225,15 +245,37 @@ void file_out_drop(file_out *out)
     forget(out);
 }
 
-static char *within(const char *folder, const char *name)
+/* Takes the name, and NULL as one for which there was no memory. NULL with errno. */
+static FILE *open_nameless(char *name)
 {
-    char *const path = malloc(strlen(folder) + strlen(name) + 2);
-    if (path) {
-        strcpy(path, folder);
-        strcat(path, "/");
-        strcat(path, name);
-    }
-    return path;
+    errno = ENOMEM;
+    FILE *const file = name ? open_held(new_file_open_nameless, name, false) : NULL;
+    const int reason = errno;
+    free(name);
+    errno = reason;
+    return file;
+}
+
+FILE *spool_open(const file_out *out)
+{
+    char *const folder = out->target ? NULL : new_file_passing_folder();
+    FILE *const spool = open_nameless(folder        ? name_within(folder, passing_name)
+                                      : out->target ? name_beside(out->target, false)
+                                                    : NULL);
+    if (!spool)
+        message_failure("%s: cannot write there: %s", folder ? folder : out->path, strerror(errno));
+    free(folder);
+    return spool;
+}
+
+int spool_read(FILE *spool, const file_out *out, bool (*take)(void *data, const void *bytes, size_t count), void *data)
+{
+    unsigned char chunk[1 << 16];
+    size_t length;
+    bool is_taken = !ferror(spool) && !fflush(spool) && !fseek(spool, 0, SEEK_SET);
+    while (is_taken && (length = fread(chunk, 1, sizeof chunk, spool)) > 0)
+        is_taken = take(data, chunk, length);
+    return !is_taken || ferror(spool) ? file_out_failure(out) : EXIT_CODE_OK;
 }
 
 int folder_out_failure(const folder_out *out, int reason) { return fail_to_write(out->told, reason); }
@@ -241,42 +283,24 @@ int folder_out_failure(const folder_out *out, int reason) { return fail_to_write
 static int make_files(folder_out *out, const char *const names[FOLDER_FILES])
 {
     for (int i = 0; i < FOLDER_FILES && names[i]; i++) {
-        out->name[i] = within(out->beside, names[i]);
+        out->name[i] = name_within(out->beside, names[i]);
         if (!out->name[i])
             return message_failure("%s: out of memory", out->told);
-        interrupt_hold();
-        interrupt_watch(out->name[i]);
-        out->file[i] = named_file_open(out->name[i], "wb");
-        const int reason = errno;
-        interrupt_release();
+        out->file[i] = open_held(open_named, out->name[i], true);
         if (!out->file[i])
-            return folder_out_failure(out, reason);
+            return folder_out_failure(out, errno);
     }
     return EXIT_CODE_OK;
 }
 
-FILE *folder_out_spill(const folder_out *out)
-{
-    char *const name = within(out->beside, "runs-XXXXXX");
-    if (!name) {
-        errno = ENOMEM;
-        return NULL;
-    }
-    interrupt_hold(); /* until it has no name */
-    FILE *const spill = new_file_open_nameless(name);
-    const int reason = errno;
-    interrupt_release();
-    free(name);
-    errno = reason;
-    return spill;
-}
+FILE *folder_out_spill(const folder_out *out) { return open_nameless(name_within(out->beside, "runs-XXXXXX")); }
 
 int folder_out_open(folder_out *out, const char *path, const char *told, const char *const names[FOLDER_FILES])
 {
     *out = (folder_out){.path = path, .told = told ? told : path};
     if (!told && named_file_is_there(path))
         return message_failure("%s: is there already; remove it, or give another name", path);
-    out->beside = file_out_beside(path, true);
+    out->beside = name_beside(path, true);
     if (!out->beside)
         return message_failure("%s: out of memory", out->told);
     interrupt_hold();

@@ -45,9 +45,14 @@ int file_out_keep_both(file_out *one, file_out *other);
 /* Removes what has been written, if it has not been kept. */
 void file_out_drop(file_out *out);
 
-/* A name for what is on its way to this one, in the same folder: one made from it could be too long. NULL without
- * memory. */
-char *file_out_beside(const char *path, bool is_folder);
+/*
+ * Opens a nameless file, gone with the program, for what cannot go where it belongs yet: on the disk of the output; for standard
+ * output where TMPDIR says, or in /tmp. NULL after a line.
+ */
+FILE *spool_open(const file_out *out);
+
+/* Hands on all of it from its start, until some is not taken. Returns an exit_code. */
+int spool_read(FILE *spool, const file_out *out, bool (*take)(void *data, const void *bytes, size_t count), void *data);
 
 enum { FOLDER_FILES = 3 }; /* at most */
 
@@ -72,7 +77,7 @@ int folder_out_finish(folder_out *out);
 /* Writes out all that is pending and gives the folder its name. Returns an exit_code; on failure nothing is left. */
 int folder_out_keep(folder_out *out);
 
-/* A nameless file in the folder, for what waits until it can be written; gone when it is closed. NULL with errno. */
+/* A nameless file in the folder, likewise. NULL with errno. */
 FILE *folder_out_spill(const folder_out *out);
 
 /* The line of a write that failed for this errno. Returns EXIT_CODE_FAILURE. */

@@ -1,7 +1,6 @@
 /* mesh_npz.c - a mesh as arrays for numpy.load: the vertices, each place once, the faces, and their colours. */
 #include "mesh_npz.h"
 
-#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -45,19 +44,11 @@ static void free_room(merging *g)
     free(g->faces);
 }
 
-static void put_vertex(unsigned char *to, const double *u, bool is_double)
+static void put_vertex(unsigned char *to, const double u[NUMBERS], bool is_double)
 {
-    for (int a = 0; a < NUMBERS; a++) {
-        const float narrow = (float)u[a];
-        uint32_t bits;
-        uint64_t wide;
-        memcpy(&bits, &narrow, sizeof bits);
-        memcpy(&wide, &u[a], sizeof wide);
-        if (is_double)
-            little_put64(to + 8 * a, wide);
-        else
-            little_put32(to + 4 * a, bits);
-    }
+    const float narrow[NUMBERS] = {(float)u[0], (float)u[1], (float)u[2]};
+    memcpy(to, is_double ? (const void *)u : narrow, NUMBERS * (is_double ? sizeof *u : sizeof *narrow));
+    little_turn(to, NUMBERS, is_double ? sizeof *u : sizeof *narrow);
 }
 
 /* The number of the vertex that lies behind all others: that of one before it, or a new one. */
@@ -83,26 +74,17 @@ static void merge(merging *g)
     }
 }
 
-static void add(zip_out *zip, const char *name, const char *type, size_t rows, const void *bytes, size_t row)
-{
-    unsigned char header[NPY_HEADER];
-    char shape[32];
-    snprintf(shape, sizeof shape, "(%zu, 3)", rows);
-    npy_header(header, type, shape);
-    zip_begin_member(zip, name);
-    zip_add(zip, bytes, rows * row);
-    zip_end_member(zip, header);
-}
-
 static int write_arrays(const file_out *out, const merging *g, const rgb *colours)
 {
+    static const npy_array faces = {"faces.npy", "<u4", CORNERS, CORNERS * INDEX}, of_faces = {"colours.npy", "|u1", 3, 3};
+    const npy_array vertices = {"vertices.npy", g->m->is_double ? "<f8" : "<f4", NUMBERS, (unsigned)g->vertex};
     zip_out zip;
     const bool is_open = zip_begin(&zip, out->stream, false);
     if (is_open) {
-        add(&zip, "vertices.npy", g->m->is_double ? "<f8" : "<f4", g->count, g->vertices, g->vertex);
-        add(&zip, "faces.npy", "<u4", g->m->triangles, g->faces, CORNERS * INDEX);
+        zip_add_array(&zip, &vertices, g->count, g->vertices);
+        zip_add_array(&zip, &faces, g->m->triangles, g->faces);
         if (colours)
-            add(&zip, "colours.npy", "|u1", g->m->triangles, colours, sizeof *colours);
+            zip_add_array(&zip, &of_faces, g->m->triangles, colours);
         zip_end(&zip);
     }
     zip_free(&zip);

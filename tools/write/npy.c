@@ -6,14 +6,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "brick_out.h"
 #include "console/message.h"
 #include "read/little.h"
+#include "volume.h"
 
 /* Magic, version, length and text together are a multiple of 64, as the format demands. */
 enum { BEFORE_TEXT = 10, CELLS = 512, CELL_BYTES = 12 };
 
-void npy_header(unsigned char header[NPY_HEADER], const char *type, const char *shape)
+/* shape: as Python writes it, "(3, 4)". */
+static void fill_header(unsigned char header[NPY_HEADER], const char *type, const char *shape)
 {
     char *const text = (char *)header + BEFORE_TEXT;
     memcpy(header, "\x93NUMPY\x01\x00", 8);
@@ -26,31 +27,35 @@ void npy_header(unsigned char header[NPY_HEADER], const char *type, const char *
     header[NPY_HEADER - 1] = '\n';
 }
 
+void npy_header(unsigned char header[NPY_HEADER], const npy_array *array, uint64_t rows)
+{
+    char shape[48];
+    if (array->columns)
+        snprintf(shape, sizeof shape, "(%" PRIu64 ", %u)", rows, array->columns);
+    else
+        snprintf(shape, sizeof shape, "(%" PRIu64 ",)", rows);
+    fill_header(header, array->type, shape);
+}
+
 /* A byte per cell: bool, or a label; or an id of int32. */
 static void write_dense_header(FILE *to, const voxels *v)
 {
     unsigned char header[NPY_HEADER];
     char shape[64];
     snprintf(shape, sizeof shape, "(%u, %u, %u)", v->grid.size[2], v->grid.size[1], v->grid.size[0]);
-    npy_header(header, v->ids ? "<i4" : voxels_have_labels(v) ? "|u1" : "|b1", shape);
+    fill_header(header, v->ids ? "<i4" : v->inside ? "|u1" : "|b1", shape);
     fwrite(header, 1, sizeof header, to);
 }
 
-const volume_writer volume_npy = {.frame = &(const volume_frame){.before = write_dense_header}};
+const volume_writer volume_npy = {.write_all = dense_write, .frame = &(const volume_frame){.before = write_dense_header}};
 
-/* The coordinates of cells, three numbers each. */
-static void write_header(const brick_out *out)
-{
-    unsigned char header[NPY_HEADER];
-    char shape[32];
-    snprintf(shape, sizeof shape, "(%" PRIu64 ", 3)", out->occupied);
-    npy_header(header, "<i4", shape);
-    fwrite(header, 1, sizeof header, out->to);
-}
-
+/* The coordinates of cells, three numbers each, of which it is known at last how many there are. */
 static int open_cells(brick_out *out)
 {
-    write_header(out);
+    static const npy_array cells = {.type = "<i4", .columns = 3};
+    unsigned char header[NPY_HEADER];
+    npy_header(header, &cells, out->occupied);
+    fwrite(header, 1, sizeof header, out->to);
     return EXIT_CODE_OK;
 }
 
@@ -69,18 +74,12 @@ static int put_cells(brick_out *out, const uint32_t at[3], const uint64_t bits[8
     return EXIT_CODE_OK;
 }
 
-/* The count is known at last. */
 static int end_cells(brick_out *out, progress *bar)
 {
     (void)bar;
     if (fseeko(out->to, 0, SEEK_SET))
         return message_failure("%s: cannot go back to its first bytes", out->file->path);
-    write_header(out);
-    return EXIT_CODE_OK;
+    return open_cells(out);
 }
 
-static void drop_cells(brick_out *out) { (void)out; }
-
-static const brick_writer bricks = {.goes_back = true, .open = open_cells, .put = put_cells, .end = end_cells, .drop = drop_cells};
-
-const volume_writer volume_cells = {.bricks = &bricks};
+const volume_writer volume_cells = {.goes_back = true, .open = open_cells, .put = put_cells, .end = end_cells};

@@ -39,8 +39,8 @@ static int check_alike(const part *a, const part *b)
                                 "with partitions in one order";
     const part_whole *one = &a->header.whole, *other = &b->header.whole;
     const char *const place = voxels_difference(&one->cells, &other->cells);
-    const char *differing = place                          ? place
-                            : one->shards != other->shards ? "number of shards"
+    const char *differing = place                                  ? place
+                            : a->header.shards != b->header.shards ? "number of shards"
                             : one->position_bytes != other->position_bytes || one->triangles != other->triangles ||
                                     one->sums.coordinates != other->sums.coordinates
                                 ? "mesh"
@@ -73,7 +73,7 @@ static void list_missing(const part *parts, size_t count, uint32_t shards, char 
 
 static int check_complete(const part *parts, size_t count)
 {
-    const uint32_t shards = parts[0].header.whole.shards;
+    const uint32_t shards = parts[0].header.shards;
     char missing[256] = "";
     for (size_t i = 1; i < count; i++)
         if (parts[i].header.shard == parts[i - 1].header.shard)
@@ -97,13 +97,13 @@ static int check_borders(const part *parts, size_t count)
             return message_failure("%s begins with tile %llu in place of %llu: it was cut otherwise than the others; run shard %u "
                                    "of %u again",
                                    parts[i].path, (unsigned long long)parts[i].header.from, (unsigned long long)next,
-                                   parts[i].header.shard, whole->shards);
+                                   parts[i].header.shard, parts[i].header.shards);
         next = parts[i].header.to;
     }
-    return next == tribox_tile_count(whole->cells.grid.size, whole->tile)
+    return next == tribox_tile_count(whole->cells.grid.size, (uint32_t)whole->tile)
                ? EXIT_CODE_OK
                : message_failure("%s ends before the last tile: it was cut otherwise than the others; run shard %u of %u again",
-                                 parts[count - 1].path, whole->shards, whole->shards);
+                                 parts[count - 1].path, parts[0].header.shards, parts[0].header.shards);
 }
 
 int part_join(part *parts, size_t count)

@@ -14,23 +14,47 @@
 
 /* What all parts of a whole have in common. */
 typedef struct part_whole {
-    voxels cells; /* the grid and the shift alone */
-    uint32_t shards;
-    uint32_t accuracy, axes;      /* as in tribox_options */
-    uint32_t position_bytes;      /* 4: the mesh is one of floats, 8: of doubles */
-    uint32_t tile;                /* cells along a side of a tile */
+    voxels cells;                 /* the grid and the shift alone */
     bool has_ids;                 /* of its cells */
     bool has_labels, has_colours; /* of which only a file of the whole has one, in place of ids */
     uint64_t triangles;
     mesh_sums sums;
+    uint64_t position_bytes; /* 4: the mesh is one of floats, 8: of doubles */
+    uint64_t accuracy, axes; /* as in tribox_options */
+    uint64_t tile;           /* cells along a side of a tile */
 } part_whole;
 
 /* Which part it is. */
 typedef struct part_header {
-    uint32_t shard; /* 1 .. shards; 0: the whole, of which it says no more than the grid and the shift */
+    uint32_t shard, shards; /* 1 .. shards; shard 0: the whole, of which it says no more than the grid and the shift */
+    uint64_t from, to;      /* the tiles from .. to - 1 are what it holds */
     part_whole whole;
-    uint64_t from, to; /* the tiles from .. to - 1 are what it holds */
 } part_header;
+
+/* The arrays of its file: those that have a row for each brick, or for each set cell; then, as they lie in a part_header. */
+enum {
+    NPZ_BITS,
+    NPZ_AT,
+    NPZ_IDS, /* one of these three at most; a part has no other than ids */
+    NPZ_INSIDE,
+    NPZ_COLOURS,
+    NPZ_ORIGIN,
+    NPZ_CELL,
+    NPZ_SIZE,
+    NPZ_SHIFT,
+    NPZ_SHARD, /* of a part alone, like what follows */
+    NPZ_TILES,
+    NPZ_WHOLE,
+    NPZ_END,
+    NPZ_ROW_MOST = 56
+};
+
+typedef struct npz_array {
+    npy_array npy;
+    unsigned rows; /* 0: as many as bricks or cells */
+    size_t place;  /* in a part_header, with the others */
+} npz_array;
+extern const npz_array npz_arrays[NPZ_END];
 
 /* A brick as a tribox_sink is handed it, in the order of tribox_bricks. */
 typedef struct part_brick {
@@ -51,8 +75,8 @@ mesh_sums mesh_sums_of(const mesh *m);
 typedef struct part {
     const char *path;
     part_header header;
-    zip_member arrays[3]; /* bits and places of the bricks, and `more`: npz.h */
-    int more;             /* ids, labels or colours; 0 for none of them */
+    zip_member arrays[3]; /* bits and places of the bricks, and `more` */
+    int more;             /* the array of ids, labels or colours; 0 for none of them */
     uint64_t bricks;
     uint64_t cells; /* that part_read has found */
 } part;

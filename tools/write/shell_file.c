@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "brick_out.h"
-#include "console/written_number.h"
 #include "console/message.h"
+#include "console/written_number.h"
 #include "read/little.h"
 #include "shell/shell.h"
+#include "volume.h"
 
 /* A vertex where each has one colour: one that faces of several colours share is as many. */
 typedef struct shell_corner {
@@ -22,8 +22,7 @@ typedef struct shell_corners {
     uint32_t (*places)[3]; /* of the shell's vertices, in halves of cells */
     uint32_t *first;       /* corner of each of them */
     shell_corner *of;      /* in the order in which triangles come to them */
-    size_t count, room;
-    bool lacks_memory;
+    size_t count;
 } shell_corners;
 
 typedef struct shell_file {
@@ -31,18 +30,18 @@ typedef struct shell_file {
     const char *path;
     const voxels *cells;
     const shell *shell;
-    progress *bar;
     const struct shell_format *format;
-    uint64_t vertices;            /* of the file */
-    const shell_corners *corners; /* NULL: the shell's vertices are those of the file */
-    void *state;                  /* the format's own */
+    uint64_t vertices; /* of the file */
+    bool has_corners;  /* else the shell's vertices are those of the file */
+    shell_corners corners;
+    void *state; /* the format's own */
 } shell_file;
 
 typedef struct shell_format {
     bool has_corners;                                                    /* it has colours at vertices alone */
     int (*begin)(shell_file *f);                                         /* writes what stands first. Returns an exit_code */
-    void (*vertex)(shell_file *f, const uint32_t halves[3], rgb colour); /* in halves of cells; colour: of a corner */
-    void (*triangle)(shell_file *f, const uint32_t triangle[3], rgb colour);
+    bool (*vertex)(shell_file *f, const uint32_t halves[3], rgb colour); /* in halves of cells; colour: of a corner */
+    bool (*triangle)(shell_file *f, const uint32_t triangle[3], rgb colour);
     void (*end)(shell_file *f); /* frees the state, after a failure to begin too; NULL: there is none */
 } shell_format;
 
@@ -78,27 +77,25 @@ static int begin_ply(shell_file *f)
     return EXIT_CODE_OK;
 }
 
-static void put_ply_vertex(shell_file *f, const uint32_t halves[3], rgb colour)
+static bool put_ply_vertex(shell_file *f, const uint32_t halves[3], rgb colour)
 {
-    unsigned char bytes[3 * sizeof(uint64_t)];
+    double place[3];
     (void)colour;
-    for (int a = 0; a < 3; a++) {
-        const double x = coordinate_of(f->cells, a, halves[a]);
-        uint64_t bits;
-        memcpy(&bits, &x, sizeof bits);
-        little_put64(bytes + 8 * a, bits);
-    }
-    fwrite(bytes, 1, sizeof bytes, f->to);
+    for (int a = 0; a < 3; a++)
+        place[a] = coordinate_of(f->cells, a, halves[a]);
+    little_turn(place, 3, sizeof *place);
+    return fwrite(place, sizeof *place, 3, f->to) == 3;
 }
 
-static void put_ply_triangle(shell_file *f, const uint32_t triangle[3], rgb colour)
+static bool put_ply_triangle(shell_file *f, const uint32_t triangle[3], rgb colour)
 {
     enum { PLAIN = 1 + 3 * sizeof(uint32_t) };
     unsigned char bytes[PLAIN + sizeof colour] = {3};
+    const size_t count = f->cells->colours ? sizeof bytes : PLAIN;
     for (int n = 0; n < 3; n++)
         little_put32(bytes + 1 + 4 * n, triangle[n]);
     memcpy(bytes + PLAIN, colour.at, sizeof colour);
-    fwrite(bytes, 1, f->cells->colours ? sizeof bytes : PLAIN, f->to);
+    return fwrite(bytes, 1, count, f->to) == count;
 }
 
 static const shell_format shell_ply = {.begin = begin_ply, .vertex = put_ply_vertex, .triangle = put_ply_triangle};
@@ -132,7 +129,7 @@ static void end_obj(shell_file *f)
     free(planes);
 }
 
-static void put_obj_vertex(shell_file *f, const uint32_t halves[3], rgb colour)
+static bool put_obj_vertex(shell_file *f, const uint32_t halves[3], rgb colour)
 {
     plane_text **const planes = f->state;
     for (int a = 0; a < 3; a++) {
@@ -142,15 +139,15 @@ static void put_obj_vertex(shell_file *f, const uint32_t halves[3], rgb colour)
             decimal_of_double(coordinate_of(f->cells, a, halves[a]), text);
         fprintf(f->to, a ? " %s" : "v %s", text);
     }
-    for (int c = 0; f->corners && c < 3; c++)
+    for (int c = 0; f->has_corners && c < 3; c++)
         fprintf(f->to, " %.4f", colour.at[c] / 255.0);
-    putc('\n', f->to);
+    return putc('\n', f->to) != EOF;
 }
 
-static void put_obj_triangle(shell_file *f, const uint32_t triangle[3], rgb colour)
+static bool put_obj_triangle(shell_file *f, const uint32_t triangle[3], rgb colour)
 {
     (void)colour;
-    fprintf(f->to, "f %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", triangle[0] + 1, triangle[1] + 1, triangle[2] + 1);
+    return fprintf(f->to, "f %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", triangle[0] + 1, triangle[1] + 1, triangle[2] + 1) > 0;
 }
 
 static const shell_format shell_obj = {
@@ -200,16 +197,6 @@ static bool widen(void *data, const uint32_t halves[3])
     return true;
 }
 
-typedef char triple_text[3 * DECIMAL_MAX];
-
-static const char *triple(const double number[3], triple_text text)
-{
-    char decimal[3][DECIMAL_MAX];
-    snprintf(text, sizeof(triple_text), "[%s,%s,%s]", decimal_of_double(number[0], decimal[0]),
-             decimal_of_double(number[1], decimal[1]), decimal_of_double(number[2], decimal[2]));
-    return text;
-}
-
 /*
  * Two views of one buffer, vertices, with a colour after each where there are colours, and which of them make triangles; and where
  * positions, corners of triangles and colours are in them, after the first's least and most.
@@ -218,7 +205,7 @@ static void describe_mesh(char text[TEXT_MAX], const shell_file *f, uint64_t ver
 {
     extent e = {{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
     double corner[3], low[3], high[3];
-    triple_text place, scale, least, most;
+    char place[3 * DECIMAL_MAX], scale[3 * DECIMAL_MAX], least[3 * DECIMAL_MAX], most[3 * DECIMAL_MAX];
     char colours[128] = "";
     const uint64_t vertices = vertex_bytes * f->vertices, triangles = TRIANGLE_BYTES * f->shell->triangles;
     lattice_vertices(&f->shell->points, widen, &e);
@@ -227,42 +214,34 @@ static void describe_mesh(char text[TEXT_MAX], const shell_file *f, uint64_t ver
         low[a] = e.least[a] / 2.0;
         high[a] = e.most[a] / 2.0;
     }
-    if (f->corners)
+    if (f->has_corners)
         snprintf(colours, sizeof colours,
                  ",{\"bufferView\":0,\"byteOffset\":%d,\"componentType\":5123,\"normalized\":true,\"count\":%" PRIu64
                  ",\"type\":\"VEC4\"}",
                  (int)VERTEX_BYTES, f->vertices);
     snprintf(text, TEXT_MAX,
              "{\"asset\":{\"version\":\"2.0\",\"generator\":\"tribox\"},"
-             "\"nodes\":[{\"name\":\"tribox\",\"mesh\":0,\"translation\":%s,\"scale\":%s}],"
+             "\"nodes\":[{\"name\":\"tribox\",\"mesh\":0,\"translation\":[%s],\"scale\":[%s]}],"
              "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0%s}]}],"
              "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%" PRIu64
-             ",\"type\":\"VEC3\",\"min\":%s,\"max\":%s},"
+             ",\"type\":\"VEC3\",\"min\":[%s],\"max\":[%s]},"
              "{\"bufferView\":1,\"componentType\":5125,\"count\":%" PRIu64 ",\"type\":\"SCALAR\"}%s],"
              "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%" PRIu64 "%s,\"target\":34962},"
              "{\"buffer\":0,\"byteOffset\":%" PRIu64 ",\"byteLength\":%" PRIu64 ",\"target\":34963}],"
              "\"buffers\":[{\"byteLength\":%" PRIu64 "}],%s\"scene\":0,\"scenes\":[{\"nodes\":[0]}]}",
-             triple(corner, place), triple(f->cells->grid.cell, scale),
-             f->corners ? ",\"COLOR_0\":2},\"indices\":1,\"material\":0" : "},\"indices\":1", f->vertices, triple(low, least),
-             triple(high, most), 3 * f->shell->triangles, colours, vertices, f->corners ? ",\"byteStride\":20" : "", vertices,
-             triangles, vertices + triangles,
-             f->corners ? "\"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":1}}]," : "");
+             decimals_of(corner, ',', place), decimals_of(f->cells->grid.cell, ',', scale),
+             f->has_corners ? ",\"COLOR_0\":2},\"indices\":1,\"material\":0" : "},\"indices\":1", f->vertices,
+             decimals_of(low, ',', least), decimals_of(high, ',', most), 3 * f->shell->triangles, colours, vertices,
+             f->has_corners ? ",\"byteStride\":20" : "", vertices, triangles, vertices + triangles,
+             f->has_corners ? "\"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":1}}]," : "");
 }
 
-static void put_numbers(FILE *to, const uint32_t *number, int count)
+static bool put_numbers(FILE *to, const uint32_t *number, size_t count)
 {
-    unsigned char bytes[COLOURED_BYTES];
-    for (int n = 0; n < count; n++)
-        little_put32(bytes + 4 * n, number[n]);
-    fwrite(bytes, 1, 4 * (size_t)count, to);
-}
-
-static void find_bits(const uint32_t halves[3], uint32_t bits[3])
-{
-    for (int a = 0; a < 3; a++) {
-        const float x = (float)halves[a] / 2;
-        memcpy(&bits[a], &x, sizeof x);
-    }
+    uint32_t bytes[COLOURED_BYTES / 4];
+    memcpy(bytes, number, count * sizeof *bytes);
+    little_turn(bytes, count, sizeof *bytes);
+    return fwrite(bytes, sizeof *bytes, count, to) == count;
 }
 
 /* In 16 bits all bytes stay apart, the dark ones too. */
@@ -271,21 +250,22 @@ static uint32_t linear_of(const rgb_curve *curve, unsigned char byte)
     return (uint32_t)((double)curve->light[byte] * UINT16_MAX + 0.5);
 }
 
-static void put_glb_vertex(shell_file *f, const uint32_t halves[3], rgb colour)
+static bool put_glb_vertex(shell_file *f, const uint32_t halves[3], rgb colour)
 {
+    const float place[3] = {(float)halves[0] / 2, (float)halves[1] / 2, (float)halves[2] / 2};
     uint32_t number[COLOURED_BYTES / 4];
-    find_bits(halves, number);
-    if (f->corners) {
+    memcpy(number, place, sizeof place);
+    if (f->has_corners) {
         number[3] = linear_of(f->state, colour.at[0]) | linear_of(f->state, colour.at[1]) << 16;
         number[4] = linear_of(f->state, colour.at[2]) | (uint32_t)UINT16_MAX << 16;
     }
-    put_numbers(f->to, number, f->corners ? 5 : 3);
+    return put_numbers(f->to, number, f->has_corners ? 5 : 3);
 }
 
-static void put_glb_triangle(shell_file *f, const uint32_t triangle[3], rgb colour)
+static bool put_glb_triangle(shell_file *f, const uint32_t triangle[3], rgb colour)
 {
     (void)colour;
-    put_numbers(f->to, triangle, 3);
+    return put_numbers(f->to, triangle, 3);
 }
 
 /* Blanks fill the text up to a multiple of four. No cell that is set, no mesh: glTF has no empty ones. */
@@ -293,7 +273,7 @@ static int begin_glb(shell_file *f)
 {
     static rgb_curve curve;
     char text[TEXT_MAX] = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"tribox\"},\"scene\":0,\"scenes\":[{}]}";
-    const uint64_t vertex_bytes = f->corners ? COLOURED_BYTES : VERTEX_BYTES;
+    const uint64_t vertex_bytes = f->has_corners ? COLOURED_BYTES : VERTEX_BYTES;
     const uint64_t bytes = vertex_bytes * f->vertices + TRIANGLE_BYTES * f->shell->triangles;
     if (f->shell->triangles)
         describe_mesh(text, f, vertex_bytes);
@@ -332,27 +312,15 @@ static uint32_t find_corner(const shell_corners *c, uint32_t vertex, rgb colour)
     return n;
 }
 
-static void add(shell_corners *c, uint32_t vertex, rgb colour)
-{
-    if (c->count == c->room) {
-        const size_t room = c->room ? 2 * c->room : 4096;
-        shell_corner *const more = room <= (size_t)LATTICE_VERTICES_MAX + 1 ? realloc(c->of, room * sizeof *more) : NULL;
-        c->lacks_memory = !more;
-        if (!more)
-            return;
-        c->of = more;
-        c->room = room;
-    }
-    c->of[c->count] = (shell_corner){vertex, c->first[vertex], colour};
-    c->first[vertex] = (uint32_t)c->count++;
-}
-
-static void take_corners(void *data, const uint32_t triangle[3], rgb colour)
+static bool take_corners(void *data, const uint32_t triangle[3], rgb colour)
 {
     shell_corners *const c = data;
-    for (int n = 0; n < 3 && !c->lacks_memory; n++)
-        if (find_corner(c, triangle[n], colour) == UINT32_MAX)
-            add(c, triangle[n], colour);
+    for (int n = 0; n < 3 && c->count <= LATTICE_VERTICES_MAX; n++)
+        if (find_corner(c, triangle[n], colour) == UINT32_MAX) {
+            c->of[c->count] = (shell_corner){triangle[n], c->first[triangle[n]], colour};
+            c->first[triangle[n]] = (uint32_t)c->count++;
+        }
+    return c->count <= LATTICE_VERTICES_MAX;
 }
 
 static bool take_place(void *data, const uint32_t halves[3])
@@ -362,117 +330,77 @@ static bool take_place(void *data, const uint32_t halves[3])
     return true;
 }
 
-static bool lacks_memory(void *data, double done)
-{
-    const shell_corners *const c = data;
-    (void)done;
-    return c->lacks_memory;
-}
-
-/* Walks through the triangles. False without memory. */
+/* Walks through the triangles. False without memory, or with more corners than the most vertices. */
 static bool make_corners(shell_corners *c, const shell *s)
 {
-    const size_t vertices = (size_t)s->points.vertices + 1;
-    *c = (shell_corners){.places = malloc(vertices * sizeof *c->places), .first = malloc(vertices * sizeof *c->first)};
-    if (!c->places || !c->first)
+    const uint64_t all = 3 * s->triangles, most = (uint64_t)LATTICE_VERTICES_MAX + 1;
+    const size_t vertices = (size_t)s->points.vertices + 1, corners = (size_t)(all < most ? all : most) + 1;
+    c->places = malloc(vertices * sizeof *c->places);
+    c->first = malloc(vertices * sizeof *c->first);
+    c->of = malloc(corners * sizeof *c->of);
+    if (!c->places || !c->first || !c->of)
         return false;
     uint32_t(*to)[3] = c->places;
     memset(c->first, 0xff, vertices * sizeof *c->first);
     lattice_vertices(&s->points, take_place, &to);
-    shell_triangles(s, take_corners, lacks_memory, c);
-    return !c->lacks_memory;
+    shell_triangles(s, take_corners, c, (shell_share){.bar = NULL});
+    return c->count <= LATTICE_VERTICES_MAX;
 }
 
-static bool tell_finding(void *data, double done)
-{
-    progress_tell(data, share_of_finding * done);
-    return false;
-}
-
-static int check_vertices(const brick_out *out, const shell *s)
-{
-    if (s->points.vertices <= LATTICE_VERTICES_MAX)
-        return EXIT_CODE_OK;
-    return message_failure("%s: the surface of the cells has %" PRIu64
-                           " vertices, and %d are the most: choose fewer cells, or write "
-                           ".npz or .vdb",
-                           out->file->path, s->points.vertices, (int)LATTICE_VERTICES_MAX);
-}
-
-static void take_triangle(void *file, const uint32_t triangle[3], rgb colour)
+static bool take_triangle(void *file, const uint32_t triangle[3], rgb colour)
 {
     shell_file *const f = file;
     uint32_t own[3];
     for (int n = 0; n < 3; n++)
-        own[n] = f->corners ? find_corner(f->corners, triangle[n], colour) : triangle[n];
-    f->format->triangle(f, own, colour);
-}
-
-static bool tell_writing(void *file, double done)
-{
-    const shell_file *const f = file;
-    progress_tell(f->bar, share_of_finding + (1 - share_of_finding) * done);
-    return ferror(f->to);
+        own[n] = f->has_corners ? find_corner(&f->corners, triangle[n], colour) : triangle[n];
+    return f->format->triangle(f, own, colour);
 }
 
 static bool take_vertex(void *file, const uint32_t halves[3])
 {
     shell_file *const f = file;
-    f->format->vertex(f, halves, (rgb){{0, 0, 0}});
-    return !ferror(f->to);
+    return f->format->vertex(f, halves, (rgb){{0, 0, 0}});
 }
 
 /* Where the stream fails it stops, and ferror tells. */
-static int write_file(shell_file *f)
+static int write_file(shell_file *f, progress *bar)
 {
-    const shell_corners *const c = f->corners;
-    f->vertices = c ? c->count : f->shell->points.vertices;
+    const shell_corners *const c = &f->corners;
+    f->vertices = f->has_corners ? c->count : f->shell->points.vertices;
     const int code = f->format->begin(f);
-    if (!code && !c)
-        lattice_vertices(&f->shell->points, take_vertex, f);
-    for (size_t n = 0; !code && c && n < c->count && !ferror(f->to); n++)
-        f->format->vertex(f, c->places[c->of[n].vertex], c->of[n].colour);
-    if (!code && !ferror(f->to))
-        shell_triangles(f->shell, take_triangle, tell_writing, f);
+    bool is_written = !code && (f->has_corners || lattice_vertices(&f->shell->points, take_vertex, f));
+    for (size_t n = 0; is_written && n < c->count; n++)
+        is_written = f->format->vertex(f, c->places[c->of[n].vertex], c->of[n].colour);
+    if (is_written)
+        shell_triangles(f->shell, take_triangle, f, (shell_share){bar, share_of_finding, 1});
     if (f->format->end)
         f->format->end(f);
     return code;
 }
 
-static int write_with_corners(shell_file *f)
-{
-    shell_corners corners;
-    const bool is_made = make_corners(&corners, f->shell);
-    f->corners = &corners;
-    const int code = is_made ? write_file(f) : message_failure("%s: out of memory for the colours of its vertices", f->path);
-    free(corners.places);
-    free(corners.first);
-    free(corners.of);
-    return code;
-}
-
-int shell_end(brick_out *out, progress *bar)
+static int shell_write(brick_out *out, progress *bar)
 {
     shell s;
-    const shell_format *const format = out->format->writer->bricks->shell;
-    shell_file f = {.to = out->to, .path = out->file->path, .cells = &out->cells, .shell = &s, .bar = bar, .format = format};
+    const shell_format *const format = out->format->writer->shell;
+    shell_file f = {.to = out->to, .path = out->file->path, .cells = &out->cells, .shell = &s, .format = format};
+    f.has_corners = format->has_corners && out->cells.colours;
     int code = EXIT_CODE_OK;
-    if (!shell_make(&s, &out->cells, tell_finding, bar))
-        code = message_failure("%s: out of memory for the surface of the cells", out->file->path);
+    if (!shell_make(&s, &out->cells, bar, share_of_finding))
+        code = message_failure("%s: out of memory for the surface of the cells", f.path);
+    else if (s.points.vertices > LATTICE_VERTICES_MAX)
+        code = message_failure("%s: the surface of the cells has %" PRIu64 " vertices, and %d are the most: %s", f.path,
+                               s.points.vertices, (int)LATTICE_VERTICES_MAX, shell_instead);
+    else if (f.has_corners && !make_corners(&f.corners, &s))
+        code = message_failure("%s: out of memory for the colours of its vertices", f.path);
     if (!code)
-        code = check_vertices(out, &s);
-    if (!code)
-        code = format->has_corners && out->cells.colours ? write_with_corners(&f) : write_file(&f);
+        code = write_file(&f, bar);
+    free(f.corners.places);
+    free(f.corners.first);
+    free(f.corners.of);
     shell_free(&s);
     return code;
 }
 
-#define SHELL_WRITER(check, format) \
-    { \
-        .check_grid = (check), .bricks = &(const brick_writer) \
-        { \
-            .open = gather_open, .put = gather_put, .end = shell_end, .drop = gather_drop, .shell = &(format) \
-        } \
-    }
-const volume_writer volume_ply = SHELL_WRITER(check_grid, shell_ply), volume_obj = SHELL_WRITER(check_grid, shell_obj),
-                    volume_glb = SHELL_WRITER(check_glb, shell_glb);
+const volume_writer volume_ply = {.check_grid = check_grid, .write_all = shell_write, .shell = &shell_ply};
+const volume_writer volume_obj = {.check_grid = check_grid, .write_all = shell_write, .shell = &shell_obj};
+const volume_writer volume_glb = {.check_grid = check_glb, .write_all = shell_write, .shell = &shell_glb};

@@ -1,10 +1,9 @@
-/* volume.h - voxels as files of the formats that other programs read. */
+/* volume.h - voxels as files of the formats that other programs read; written from bricks handed over one at a time, or at once. */
 #ifndef VOLUME_H
 #define VOLUME_H
 
-#include <stdio.h>
-
 #include "console/progress.h"
+#include "file_out.h"
 #include "voxels.h"
 
 /* What some formats leave open. */
@@ -23,22 +22,24 @@ typedef struct volume_frame {
                        it is set, 2 where it is labelled as inside */
 } volume_frame;
 
-/* How a format is written; of frame, write and bricks there is one. */
+struct brick_out;
+
+/* How a format is written. What returns an int returns an exit_code, on failure after its line. */
 typedef struct volume_writer {
-    /* Begins what takes long and needs no grid; to be called before the mesh is read. NULL: nothing does. */
-    void (*begin)(void);
+    void (*begin)(void); /* begins what takes long and needs no grid, before the mesh is read; NULL: nothing does */
+    int (*check_grid)(const char *path, const tribox_grid *grid); /* refuses one that the format cannot hold; NULL: it holds all */
 
-    /* Refuses a grid that the format cannot hold. Returns an exit_code. NULL: it holds every grid. */
-    int (*check_grid)(const char *path, const tribox_grid *grid);
+    /* A format of all cells at once. It stops where the stream fails, which ferror then reports. */
+    int (*write_all)(struct brick_out *out, progress *bar);
+    const volume_frame *frame;        /* for dense_write */
+    const struct shell_format *shell; /* for shell_write, whose files are meshes */
 
-    /* A dense format, which dense_write writes. */
-    const volume_frame *frame;
-
-    /* Another dense format. Stops where the stream fails, which ferror then reports. False, with errno, without memory. */
-    bool (*write)(FILE *to, const voxels *v, progress *bar);
-
-    /* A format that takes bricks as they come; see brick_out.h. */
-    const struct brick_writer *bricks;
+    /* Another takes bricks as they come. That the stream failed needs no line. */
+    bool goes_back;                     /* it writes to places before the end, which standard output may not allow */
+    int (*open)(struct brick_out *out); /* frees what it took if it fails */
+    int (*put)(struct brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
+    int (*end)(struct brick_out *out, progress *bar);
+    void (*drop)(struct brick_out *out); /* frees the state; NULL: there is none */
 } volume_writer;
 
 typedef struct volume_format {
@@ -94,10 +95,63 @@ const volume_format *volume_format_at(size_t n);
 /* Whether it holds "place": where the grid is, before any shift; "labels", "ids", "colours", or these "of a palette". */
 bool volume_holds(const volume_format *format, const char *what);
 
-/* "sparse": only cells that are set; "dense": all cells of the grid; "faces" between cells. */
-const char *volume_kind(const volume_format *format);
+/* Sparse: only cells that are set; dense: all cells of the grid; faces between cells. */
+typedef enum volume_kind { VOLUME_SPARSE, VOLUME_DENSE, VOLUME_FACES } volume_kind;
+volume_kind volume_kind_of(const volume_format *format);
 
 /* Says where the cells are, if they are shifted and the format does not. NULL: nothing is written. */
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v);
+
+/* ----------------------------------------------------------------------------------------------------------------------- output */
+
+struct part_header;
+
+/*
+ * Sparse formats (.npz, .vdb, cells) take memory for what their file needs at once: nothing but a buffer, or for .vdb the bricks
+ * themselves. Dense formats take the words of the whole grid. Where a number has to stand before what it counts it is filled in at
+ * the end, in a nameless file where the output cannot go back.
+ */
+typedef struct brick_out {
+    const volume_format *format;
+    volume_options options;
+    file_out *file;
+    FILE *to;                       /* where the bytes go: the file's own stream, or a nameless file for one that cannot go back */
+    voxels cells;                   /* the grid and the shift, and in a format of all cells their words */
+    uint64_t bricks;                /* put so far */
+    uint64_t occupied;              /* cells in them, where the format counts them */
+    unsigned threads;               /* that write a dense format; set it after brick_out_open, else one does */
+    void *state;                    /* the format's own */
+    const uint64_t *inside;         /* cells of the brick that is put which are inside, for labels; NULL without */
+    const uint32_t *ids;            /* of its set cells, in the order of the bits; NULL without */
+    const struct part_header *part; /* which part the bricks are, for .npz; set it after brick_out_open. NULL: the whole */
+} brick_out;
+
+/*
+ * Starts the content of an open file. about: grid and shift of the whole; its words are not looked at. Returns an
+ * exit_code, on failure after its line; nothing then needs to be dropped.
+ */
+int brick_out_open(brick_out *out, const volume_format *format, const volume_options *options, file_out *file, const voxels *about);
+
+/*
+ * Adds a brick as a tribox_sink is handed it: in any order, each place once, one call at a time. Bits of cells outside the grid are
+ * to be 0. Returns an exit_code; after a failure, which has said its line, brick_out_drop is all that is left.
+ */
+int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
+
+/* Writes the rest and frees all memory; file_out_keep is the caller's next step. Returns an exit_code; on failure as for put. */
+int brick_out_end(brick_out *out, progress *bar);
+
+/* Frees the memory of what did not come to its end; nothing after brick_out_end has succeeded. The file is the caller's to drop. */
+void brick_out_drop(brick_out *out);
+
+/*
+ * Writes voxels in memory in any format, dense or sparse, whose bricks come in the order of these tiles, 0: of the whole. threads:
+ * that write a dense format. bricks: how many a sparse format got. Returns an exit_code.
+ */
+int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
+                     unsigned threads, uint64_t *bricks, progress *bar);
+
+/* All cells between what stands before them and after them: by threads, in any order, where the file has places, else by one. */
+int dense_write(brick_out *out, progress *bar);
 
 #endif

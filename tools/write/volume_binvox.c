@@ -1,8 +1,8 @@
 /* volume_binvox.c - the format of P. Min's binvox: https://www.patrickmin.com/binvox/binvox.html */
 #include <stdlib.h>
 
-#include "console/written_number.h"
 #include "console/message.h"
+#include "console/written_number.h"
 #include "volume.h"
 
 /* Of the cube that a grid is filled up to: its cells can be counted. */
@@ -76,62 +76,36 @@ static void add_empty(run *r, uint64_t count)
 /* The grid is placed where the mesh was before it was shifted. */
 static void write_header(FILE *to, const voxels *v, uint32_t side)
 {
-    char text[DECIMAL_MAX];
-    fprintf(to, "#binvox 1\ndim %u %u %u\ntranslate", side, side, side);
-    for (int a = 0; a < 3; a++)
-        fprintf(to, " %s", decimal_of_double(v->grid.origin[a] + v->shift[a], text));
-    fprintf(to, "\nscale %s\ndata\n", decimal_of_double(v->grid.cell[0] * side, text));
+    char text[DECIMAL_MAX], place[3 * DECIMAL_MAX];
+    const double *const at = v->grid.origin, *const by = v->shift;
+    fprintf(to, "#binvox 1\ndim %u %u %u\ntranslate %s\nscale %s\ndata\n", side, side, side,
+            decimals_of((const double[]){at[0] + by[0], at[1] + by[1], at[2] + by[2]}, ' ', place),
+            decimal_of_double(v->grid.cell[0] * side, text));
 }
 
 /*
- * Cells follow each other along y in the file and along x in memory. Some columns of cells, of the same words, are turned at once:
- * a line along y becomes words of their own, so that memory is read once for all of them, and runs are found a word at a time.
+ * Cells follow each other along y in the file and along x in memory. The columns of a word are turned at once: a line along y
+ * becomes words of its own, so that memory is read once for all of them, and runs are found a word at a time.
  */
 enum { SIDE = 64 };
 
 typedef struct columns {
-    uint32_t count;     /* at once: a power of two, SIDE where memory is not short */
     size_t line, plane; /* words from a line to the next of the column, and from a column to the next */
-    uint64_t *words;
+    uint64_t *words;    /* of SIDE columns */
 } columns;
 
-static bool columns_make(columns *c, const tribox_grid *grid)
-{
-    enum { APART = 8 }; /* words of a line of the cache: columns a power of two apart would take each other's place in it */
-    const size_t line = (grid->size[1] + SIDE - 1) / SIDE, plane = line * grid->size[2] + APART;
-    *c = (columns){.count = 2 * SIDE, .line = line, .plane = plane};
-    while (!c->words && c->count > 1) {
-        c->count /= 2;
-        c->words = malloc(plane * c->count * sizeof *c->words);
-    }
-    return c->words;
-}
-
-/* Bit i of word j becomes bit j of word i: halves change places, then quarters, and so on. */
-static void turn(uint64_t words[SIDE])
-{
-    uint64_t low = UINT32_MAX;
-    for (unsigned half = SIDE / 2; half; half /= 2, low ^= low << half)
-        for (unsigned i = 0; i < SIDE; i = ((i | half) + 1) & ~half) {
-            const uint64_t change = (words[i] >> half ^ words[i | half]) & low;
-            words[i] ^= change << half;
-            words[i | half] ^= change;
-        }
-}
-
-/* Columns from i on of a layer, which begins at `layer`. */
-static void turn_layer(const columns *c, const tribox_grid *grid, const uint64_t *layer, uint32_t i, uint64_t *to)
+/* Columns of a word of each row of a layer; `from` is that of the first. */
+static void turn_layer(const columns *c, const tribox_grid *grid, const uint64_t *from, uint64_t *to)
 {
     const size_t row_words = voxels_row_words(grid);
-    const uint64_t *from = layer + i / SIDE;
     for (uint32_t j = 0; j < grid->size[1]; j += SIDE, to++) {
         uint64_t words[SIDE] = {0}, any = 0;
         for (uint32_t row = 0; row < SIDE && j + row < grid->size[1]; row++, from += row_words)
             any |= words[row] = *from;
         if (any)
-            turn(words);
-        for (uint32_t column = 0; column < c->count; column++)
-            to[column * c->plane] = words[i % SIDE + column];
+            voxels_transpose(words);
+        for (uint32_t column = 0; column < SIDE; column++)
+            to[column * c->plane] = words[column];
     }
 }
 
@@ -146,25 +120,29 @@ static void add_plane(run *r, const columns *c, const uint64_t *words, const tri
     add_empty(r, (uint64_t)side * (side - grid->size[2]));
 }
 
-static bool write_binvox(FILE *to, const voxels *v, progress *bar)
+static int write_binvox(brick_out *out, progress *bar)
 {
+    FILE *const to = out->to;
+    const voxels *const v = &out->cells;
     const tribox_grid *const grid = &v->grid;
     const uint32_t side = longest(grid);
     run r = {.to = to};
-    columns c;
-    if (!columns_make(&c, grid))
-        return false;
+    enum { APART = 8 }; /* words of a line of the cache: columns a power of two apart would take each other's place in it */
+    const size_t line = (grid->size[1] + SIDE - 1) / SIDE, plane = line * grid->size[2] + APART;
+    const columns c = {line, plane, malloc(SIDE * plane * sizeof *c.words)};
+    if (!c.words)
+        return file_out_failure(out->file);
     write_header(to, v, side);
     for (uint32_t i = 0; i < grid->size[0] && !ferror(to); i++) {
-        for (uint32_t k = 0; k < grid->size[2] && i % c.count == 0; k++)
-            turn_layer(&c, grid, voxels_layer(v, k), i, c.words + k * c.line);
-        add_plane(&r, &c, c.words + i % c.count * c.plane, grid, side);
+        for (uint32_t k = 0; k < grid->size[2] && i % SIDE == 0; k++)
+            turn_layer(&c, grid, voxels_layer(v, k) + i / SIDE, c.words + k * c.line);
+        add_plane(&r, &c, c.words + i % SIDE * c.plane, grid, side);
         progress_tell(bar, (i + 1.0) / grid->size[0]);
     }
     add_empty(&r, (uint64_t)side * side * (side - grid->size[0]));
     end_run(&r);
     free(c.words);
-    return true;
+    return EXIT_CODE_OK;
 }
 
-const volume_writer volume_binvox = {.check_grid = check_grid, .write = write_binvox};
+const volume_writer volume_binvox = {.check_grid = check_grid, .write_all = write_binvox};

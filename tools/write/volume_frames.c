@@ -8,76 +8,47 @@
 #include "read/little.h"
 #include "volume.h"
 
-/* Three doubles, with a blank before each but the first. */
-static void write_point(FILE *to, double x, double y, double z)
-{
-    char text[3][DECIMAL_MAX];
-    fprintf(to, "%s %s %s", decimal_of_double(x, text[0]), decimal_of_double(y, text[1]), decimal_of_double(z, text[2]));
-}
+enum { TRIPLE_MAX = 3 * DECIMAL_MAX };
 
-static void write_extent(FILE *to, const char *attribute, const uint32_t size[3])
+static void write_vti_header(FILE *to, const voxels *v)
 {
-    fprintf(to, " %s=\"0 %u 0 %u 0 %u\"", attribute, size[0], size[1], size[2]);
-}
-
-static void write_image(FILE *to, const voxels *v)
-{
-    const char *const name = v->ids ? "id" : voxels_have_labels(v) ? "label" : "occupied";
-    const char *const range = voxels_have_labels(v) ? " RangeMin=\"0\" RangeMax=\"2\"" : " RangeMin=\"0\" RangeMax=\"1\"";
-    const tribox_grid *const grid = &v->grid;
-    fputs("  <ImageData", to);
-    write_extent(to, "WholeExtent", grid->size);
-    fputs(" Origin=\"", to);
-    write_point(to, grid->origin[0] + v->shift[0], grid->origin[1] + v->shift[1], grid->origin[2] + v->shift[2]);
-    fputs("\" Spacing=\"", to);
-    write_point(to, grid->cell[0], grid->cell[1], grid->cell[2]);
-    fputs("\">\n    <Piece", to);
-    write_extent(to, "Extent", grid->size);
+    const char *const name = v->ids ? "id" : v->inside ? "label" : "occupied";
+    const char *const range = v->inside ? " RangeMin=\"0\" RangeMax=\"2\"" : " RangeMin=\"0\" RangeMax=\"1\"";
+    const uint32_t *const n = v->grid.size;
+    const double *const at = v->grid.origin, *const by = v->shift;
+    unsigned char length[8]; /* stands before the array */
+    char origin[TRIPLE_MAX], cell[TRIPLE_MAX];
     fprintf(to,
-            ">\n"
+            "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+            "  <ImageData WholeExtent=\"0 %u 0 %u 0 %u\" Origin=\"%s\" Spacing=\"%s\">\n"
+            "    <Piece Extent=\"0 %u 0 %u 0 %u\">\n"
             "      <CellData Scalars=\"%s\">\n"
             "        <DataArray type=\"%s\" Name=\"%s\" format=\"appended\"%s offset=\"0\"/>\n"
             "      </CellData>\n"
             "    </Piece>\n"
-            "  </ImageData>\n",
-            name, v->ids ? "Int32" : "UInt8", name, v->ids ? "" : range);
-}
-
-/* The length of the array stands before it. */
-static void write_length(FILE *to, const voxels *v)
-{
-    unsigned char length[8];
-    const uint32_t *const size = v->grid.size;
-    little_put64(length, (uint64_t)size[0] * size[1] * size[2] * (v->ids ? sizeof *v->ids : 1));
+            "  </ImageData>\n"
+            "  <AppendedData encoding=\"raw\">\n   _",
+            n[0], n[1], n[2], decimals_of((const double[]){at[0] + by[0], at[1] + by[1], at[2] + by[2]}, ' ', origin),
+            decimals_of(v->grid.cell, ' ', cell), n[0], n[1], n[2], name, v->ids ? "Int32" : "UInt8", name, v->ids ? "" : range);
+    little_put64(length, (uint64_t)n[0] * n[1] * n[2] * (v->ids ? sizeof *v->ids : 1));
     fwrite(length, 1, sizeof length, to);
 }
 
-static void write_vti_header(FILE *to, const voxels *v)
-{
-    fputs("<?xml version=\"1.0\"?>\n"
-          "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n",
-          to);
-    write_image(to, v);
-    fputs("  <AppendedData encoding=\"raw\">\n   _", to);
-    write_length(to, v);
-}
+static void write_vti_end(FILE *to) { fputs("\n  </AppendedData>\n</VTKFile>\n", to); }
 
-static void write_after(FILE *to) { fputs("\n  </AppendedData>\n</VTKFile>\n", to); }
-
-const volume_writer volume_vti = {.frame = &(const volume_frame){.before = write_vti_header, .after = write_after}};
-
-/* The place of a sample is the middle of its cell. */
-static double middle(const voxels *v, int a) { return v->grid.origin[a] + v->grid.cell[a] / 2 + v->shift[a]; }
-
-static void write_vector(FILE *to, double x, double y, double z)
-{
-    char text[3][DECIMAL_MAX];
-    fprintf(to, " (%s,%s,%s)", decimal_of_double(x, text[0]), decimal_of_double(y, text[1]), decimal_of_double(z, text[2]));
-}
+const volume_writer volume_vti = {.write_all = dense_write,
+                                  .frame = &(const volume_frame){.before = write_vti_header, .after = write_vti_end}};
 
 static void write_nrrd_header(FILE *to, const voxels *v)
 {
-    const tribox_grid *const grid = &v->grid;
+    const uint32_t *const n = v->grid.size;
+    const double *const c = v->grid.cell;
+    const char *const more = v->ids ? ": the number of the lowest triangle, else -1" : ": 1, and that it encloses: 2";
+    double middle[3]; /* of the first cell, the place of its sample */
+    char x[TRIPLE_MAX], y[TRIPLE_MAX], z[TRIPLE_MAX], origin[TRIPLE_MAX];
+    for (int a = 0; a < 3; a++)
+        middle[a] = v->grid.origin[a] + c[a] / 2 + v->shift[a];
     fprintf(to,
             "NRRD0004\n"
             "# cells of a grid that a mesh overlaps%s, by tribox\n"
@@ -85,21 +56,14 @@ static void write_nrrd_header(FILE *to, const voxels *v)
             "dimension: 3\n"
             "space dimension: 3\n"
             "sizes: %u %u %u\n"
-            "space directions:",
-            v->ids                  ? ": the number of the lowest triangle, else -1"
-            : voxels_have_labels(v) ? ": 1, and that it encloses: 2"
-                                    : "",
-            v->ids ? "type: int32\nendian: little" : "type: uint8", grid->size[0], grid->size[1], grid->size[2]);
-    write_vector(to, grid->cell[0], 0, 0);
-    write_vector(to, 0, grid->cell[1], 0);
-    write_vector(to, 0, 0, grid->cell[2]);
-    fputs("\ncenters: cell cell cell\n"
-          "kinds: domain domain domain\n"
-          "encoding: raw\n"
-          "space origin:",
-          to);
-    write_vector(to, middle(v, 0), middle(v, 1), middle(v, 2));
-    fputs("\n\n", to);
+            "space directions: (%s) (%s) (%s)\n"
+            "centers: cell cell cell\n"
+            "kinds: domain domain domain\n"
+            "encoding: raw\n"
+            "space origin: (%s)\n\n",
+            v->ids || v->inside ? more : "", v->ids ? "type: int32\nendian: little" : "type: uint8", n[0], n[1], n[2],
+            decimals_of((const double[]){c[0], 0, 0}, ',', x), decimals_of((const double[]){0, c[1], 0}, ',', y),
+            decimals_of((const double[]){0, 0, c[2]}, ',', z), decimals_of(middle, ',', origin));
 }
 
-const volume_writer volume_nrrd = {.frame = &(const volume_frame){.before = write_nrrd_header}};
+const volume_writer volume_nrrd = {.write_all = dense_write, .frame = &(const volume_frame){.before = write_nrrd_header}};

@@ -43,9 +43,8 @@ static unsigned char colour_of(const voxels *v, const uint64_t *inside, const ui
 
 static void write_row(FILE *to, const voxels *v, uint32_t j, uint32_t k)
 {
-    const size_t before = j * voxels_row_words(&v->grid);
-    const uint64_t *const row = voxels_layer(v, k) + before, *const layer = voxels_layer_inside(v, k);
-    const uint64_t *const inside = layer ? layer + before : NULL;
+    const uint64_t *const row = voxels_layer(v, k) + j * voxels_row_words(&v->grid);
+    const uint64_t *const inside = v->inside ? v->inside + (row - v->words) : NULL;
     for (uint32_t i = 0; i < v->grid.size[0]; i++)
         if (voxels_bit(row, i)) {
             const unsigned char colour = colour_of(v, inside, (const uint32_t[3]){i, j, k});
@@ -55,27 +54,22 @@ static void write_row(FILE *to, const voxels *v, uint32_t j, uint32_t k)
 }
 
 /* Colour n + 1 of a cell is number n here. */
-static void write_palette(FILE *to, const palette *p)
+static void write_palette(FILE *to, const rgb *of, int count)
 {
     start_chunk(to, "RGBA", PALETTE_BYTES, 0);
     for (int n = 0; n < COLOURS; n++) {
-        const rgb colour = n < p->count ? p->of[n] : (rgb){{0, 0, 0}};
+        const rgb colour = n < count ? of[n] : (rgb){{0, 0, 0}};
         fwrite((const unsigned char[4]){colour.at[0], colour.at[1], colour.at[2], UINT8_MAX}, 1, 4, to);
     }
 }
 
-/* White for the surface and orange for what is inside. */
-static void write_label_palette(FILE *to)
+static int write_vox(brick_out *out, progress *bar)
 {
-    static const unsigned char colours[PALETTE_BYTES] = {255, 255, 255, 255, 255, 128, 0, 255};
-    start_chunk(to, "RGBA", PALETTE_BYTES, 0);
-    fwrite(colours, 1, sizeof colours, to);
-}
-
-static bool write_vox(FILE *to, const voxels *v, progress *bar)
-{
+    static const rgb labels[] = {[VOXELS_SURFACE - 1] = {{255, 255, 255}}, [VOXELS_INSIDE - 1] = {{255, 128, 0}}};
+    FILE *const to = out->to;
+    const voxels *const v = &out->cells;
     const uint32_t *n = v->grid.size, cells = (uint32_t)voxels_occupied(v), cell_bytes = 4 + 4 * cells;
-    const bool has_labels = voxels_have_labels(v);
+    const bool has_labels = v->inside;
     const uint32_t palette_bytes = v->colours || has_labels ? CHUNK_HEADER + PALETTE_BYTES : 0;
     fputs("VOX ", to);
     put(to, VERSION);
@@ -91,10 +85,10 @@ static bool write_vox(FILE *to, const voxels *v, progress *bar)
         progress_tell(bar, (k + 1.0) / n[2]);
     }
     if (v->colours)
-        write_palette(to, &v->colours->palette);
+        write_palette(to, v->colours->palette.of, v->colours->palette.count);
     else if (has_labels)
-        write_label_palette(to);
-    return true;
+        write_palette(to, labels, 2);
+    return EXIT_CODE_OK;
 }
 
-const volume_writer volume_vox = {.check_grid = check_grid, .write = write_vox};
+const volume_writer volume_vox = {.check_grid = check_grid, .write_all = write_vox};

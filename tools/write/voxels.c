@@ -1,6 +1,6 @@
 /*
- * voxels.c - finds layers among slabs, counts cells, and tells whether there is room for them; cuts bricks eight at a time, as many
- * as there are in a row of words.
+ * voxels.c - counts cells, and tells whether there is room for them; cuts bricks eight at a time, as many as there are in a row of
+ * words.
  */
 #include "voxels.h"
 
@@ -10,42 +10,18 @@
 #include "console/system.h"
 #include "console/message.h"
 
-static const voxels_slab *slab_of(const voxels *v, uint32_t k)
-{
-    size_t low = 0, high = v->slabs;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (v->slab[middle].first <= k)
-            low = middle;
-        else
-            high = middle;
-    }
-    return &v->slab[low];
-}
+const uint64_t *voxels_layer(const voxels *v, uint32_t k) { return v->words + k * voxels_layer_words(&v->grid); }
 
-static size_t words_before(const voxels *v, const voxels_slab *slab, uint32_t k)
+/* Halves change places, then quarters, and so on. */
+void voxels_transpose(uint64_t words[64])
 {
-    return (size_t)(k - slab->first) * voxels_layer_words(&v->grid);
-}
-
-const uint64_t *voxels_layer(const voxels *v, uint32_t k)
-{
-    const voxels_slab *const slab = slab_of(v, k);
-    return slab->bits + words_before(v, slab, k);
-}
-
-const uint64_t *voxels_layer_inside(const voxels *v, uint32_t k)
-{
-    const voxels_slab *const slab = slab_of(v, k);
-    return slab->inside ? slab->inside + words_before(v, slab, k) : NULL;
-}
-
-bool voxels_have_labels(const voxels *v) { return v->slabs && v->slab[0].inside; }
-
-uint32_t voxels_layers_from(const voxels *v, uint32_t k)
-{
-    const voxels_slab *const slab = slab_of(v, k);
-    return slab->layers - (k - slab->first);
+    uint64_t low = UINT32_MAX;
+    for (unsigned half = 32; half; half /= 2, low ^= low << half)
+        for (unsigned i = 0; i < 64; i = ((i | half) + 1) & ~half) {
+            const uint64_t change = (words[i] >> half ^ words[i | half]) & low;
+            words[i] ^= change << half;
+            words[i | half] ^= change;
+        }
 }
 
 /* Of so few words that no byte of the sum overflows: first pairs of bits are added, then fours, then bytes. */
@@ -72,13 +48,7 @@ uint64_t voxels_count(const uint64_t *words, size_t count)
     return bits;
 }
 
-uint64_t voxels_occupied(const voxels *v)
-{
-    uint64_t cells = 0;
-    for (size_t s = 0; s < v->slabs; s++)
-        cells += voxels_count(v->slab[s].bits, v->slab[s].layers * voxels_layer_words(&v->grid));
-    return cells;
-}
+uint64_t voxels_occupied(const voxels *v) { return voxels_count(v->words, v->grid.size[2] * voxels_layer_words(&v->grid)); }
 
 size_t voxels_row_words(const tribox_grid *grid) { return tribox_mask_words(grid->size[0]); }
 
@@ -136,17 +106,6 @@ typedef struct rod {
 
 static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
 
-/* layers: the words of up to eight layers from their first row on. Returns the cells of all these words together. */
-static uint64_t read_rod(const uint64_t *const layers[SIDE], uint32_t depth, uint32_t rows, size_t row_words, rod *b)
-{
-    uint64_t any = 0;
-    *b = (rod){.word = {{0}}};
-    for (uint32_t k = 0; k < depth; k++)
-        for (uint32_t j = 0; j < rows; j++)
-            any |= b->word[k][j] = layers[k][j * row_words];
-    return any;
-}
-
 /* Exchanges the bytes of eight words: byte i of word j becomes byte j of word i. */
 static void exchange(uint64_t word[SIDE])
 {
@@ -178,37 +137,22 @@ static int take_rod(rod *b, uint64_t any, const uint32_t first[3], brick_taker *
     return code;
 }
 
-/* A box of words: 64 cells of x, and bricks of y and z. */
-typedef struct words_box {
-    uint32_t first[3], end[3];
-} words_box;
-
-/* The bricks of eight rows in eight layers. */
-static int cut_rows(const voxels *v, const words_box *box, uint32_t y, uint32_t z, brick_taker *take, void *data)
+/* The bricks of eight rows in eight layers, of the words from one to before another. */
+static int cut_rows(const voxels *v, const uint32_t words[2], uint32_t y, uint32_t z, brick_taker *take, void *data)
 {
-    const size_t row_words = voxels_row_words(&v->grid);
+    const size_t row_words = voxels_row_words(&v->grid), layer_words = voxels_layer_words(&v->grid);
     const uint32_t rows = least(SIDE, v->grid.size[1] - SIDE * y), depth = least(SIDE, v->grid.size[2] - SIDE * z);
-    const uint64_t *from[SIDE] = {NULL};
-    for (uint32_t k = 0; k < depth; k++)
-        from[k] = voxels_layer(v, SIDE * z + k) + SIDE * y * row_words + box->first[0];
+    const uint64_t *const corner = voxels_layer(v, SIDE * z) + SIDE * y * row_words;
     int code = EXIT_CODE_OK;
-    for (uint32_t w = box->first[0]; w < box->end[0] && !code; w++) {
-        rod b;
-        const uint64_t any = read_rod(from, depth, rows, row_words, &b);
+    for (uint32_t w = words[0]; w < words[1] && !code; w++) {
+        rod b = {.word = {{0}}};
+        uint64_t any = 0;
+        for (uint32_t k = 0; k < depth; k++)
+            for (uint32_t j = 0; j < rows; j++)
+                any |= b.word[k][j] = corner[k * layer_words + j * row_words + w];
         if (any)
             code = take_rod(&b, any, (const uint32_t[3]){SIDE * w, y, z}, take, data);
-        for (uint32_t k = 0; k < depth; k++)
-            from[k]++;
     }
-    return code;
-}
-
-static int cut_box(const voxels *v, const words_box *box, brick_taker *take, void *data)
-{
-    int code = EXIT_CODE_OK;
-    for (uint32_t z = box->first[2]; z < box->end[2] && !code; z++)
-        for (uint32_t y = box->first[1]; y < box->end[1] && !code; y++)
-            code = cut_rows(v, box, y, z, take, data);
     return code;
 }
 
@@ -217,15 +161,16 @@ int bricks_cut(const voxels *v, uint32_t tile, brick_taker *take, void *data, pr
     const uint32_t *const size = v->grid.size;
     const uint32_t all[3] = {(size[0] + 63) / 64, (size[1] + SIDE - 1) / SIDE, (size[2] + SIDE - 1) / SIDE};
     const uint32_t step[3] = {tile ? tile / 64 : all[0], tile ? tile / SIDE : all[1], tile ? tile / SIDE : 1};
+    uint32_t at[3];
     int code = EXIT_CODE_OK;
-    for (uint32_t k = 0; k < all[2] && !code; k += step[2]) {
-        for (uint32_t j = 0; j < all[1] && !code; j += step[1])
-            for (uint32_t i = 0; i < all[0] && !code; i += step[0]) {
-                const words_box box = {{i, j, k},
-                                       {least(i + step[0], all[0]), least(j + step[1], all[1]), least(k + step[2], all[2])}};
-                code = cut_box(v, &box, take, data);
-            }
-        progress_tell(bar, least(k + step[2], all[2]) / (double)all[2]);
+    for (at[2] = 0; at[2] < all[2] && !code; at[2] += step[2]) {
+        const uint32_t z_end = least(at[2] + step[2], all[2]);
+        for (at[1] = 0; at[1] < all[1]; at[1] += step[1])
+            for (at[0] = 0; at[0] < all[0]; at[0] += step[0])
+                for (uint32_t z = at[2]; z < z_end; z++)
+                    for (uint32_t y = at[1]; y < least(at[1] + step[1], all[1]) && !code; y++)
+                        code = cut_rows(v, (const uint32_t[]){at[0], least(at[0] + step[0], all[0])}, y, z, take, data);
+        progress_tell(bar, z_end / (double)all[2]);
     }
     return code;
 }
@@ -237,7 +182,8 @@ void bricks_inside(const voxels *v, const uint32_t at[3], uint64_t inside[8])
     for (uint32_t k = 0; k < SIDE; k++)
         inside[k] = 0;
     for (uint32_t k = 0; k < depth; k++) {
-        const uint64_t *word = voxels_layer_inside(v, SIDE * at[2] + k) + SIDE * at[1] * row_words + at[0] / SIDE;
+        const size_t layer = (SIDE * at[2] + k) * voxels_layer_words(&v->grid);
+        const uint64_t *word = v->inside + layer + SIDE * at[1] * row_words + at[0] / SIDE;
         for (uint32_t j = 0; j < rows; j++, word += row_words)
             inside[k] |= (*word >> SIDE * (at[0] % SIDE) & 0xff) << SIDE * j;
     }

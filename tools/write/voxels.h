@@ -7,32 +7,17 @@
 #include "console/progress.h"
 #include "tribox.h"
 
-/* Whole layers as tribox_voxelize writes them. */
-typedef struct voxels_slab {
-    uint32_t first, layers;
-    const uint64_t *bits;
-    const uint64_t *inside; /* which of them are inside, for labels; NULL: cells have none */
-} voxels_slab;
-
 typedef struct voxels {
     tribox_grid grid;
-    double shift[3];         /* what was subtracted from the mesh */
-    const voxels_slab *slab; /* one after the other, without gaps */
-    size_t slabs;
+    double shift[3];                    /* what was subtracted from the mesh */
+    const uint64_t *words;              /* of all cells as tribox_voxelize writes them; NULL where they are put apart */
+    const uint64_t *inside;             /* which of them are inside, for labels; NULL: cells have none */
     const struct cell_colours *colours; /* of all set cells; NULL: they have none */
     const int32_t *ids;                 /* of all cells, -1 where none is set; NULL without */
 } voxels;
 
 /* The words of layer k: rows of voxels_row_words, one for each y. */
 const uint64_t *voxels_layer(const voxels *v, uint32_t k);
-
-/* How many layers from k on lie behind each other in memory, k among them. */
-uint32_t voxels_layers_from(const voxels *v, uint32_t k);
-/* The same of those inside; NULL without labels. */
-const uint64_t *voxels_layer_inside(const voxels *v, uint32_t k);
-
-/* Layers put apart, which have no slabs, have none. */
-bool voxels_have_labels(const voxels *v);
 
 /* The label of a set cell, by a row of those inside. */
 enum { VOXELS_SURFACE = 1, VOXELS_INSIDE = 2 };
@@ -55,10 +40,13 @@ static inline uint32_t lowest_bit(uint64_t word)
 #endif
 }
 
+/* Bit i of word j becomes bit j of word i. */
+void voxels_transpose(uint64_t words[64]);
+
 /* How many bits are set in `count` words. */
 uint64_t voxels_count(const uint64_t *words, size_t count);
 
-/* How many cells are set in all layers. */
+/* How many cells are set. */
 uint64_t voxels_occupied(const voxels *v);
 
 /* The words of a row, and of a layer, of the grid. */

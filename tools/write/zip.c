@@ -16,23 +16,26 @@ enum {
     VERSION = 45, /* of the extra field */
     DAY = 0x21,   /* 1 January 1980, so that equal content gives equal files */
     EXTRA = 1,    /* the field of sizes that do not fit */
-    BLOCK = 5,    /* the header of stored bytes in a deflated stream */
+    LOCAL_EXTRA = 20,
+    BEFORE = 30, /* a member, with its name and that field */
+    BLOCK = 5,   /* the header of stored bytes in a deflated stream */
     CHUNK = 1 << 16,
     LEVEL = 4,
     MEMORY_LEVEL = 9
 };
 static const uint32_t none = UINT32_MAX;
 
-struct deflater {
-    z_stream stream;
-    unsigned char out[CHUNK];
+/* And room for what comes out of it, or goes in. */
+struct zip_stream {
+    z_stream z;
+    unsigned char room[CHUNK];
 };
 
 bool zip_begin(zip_out *zip, FILE *to, bool is_deflated)
 {
-    struct deflater *const d = is_deflated ? calloc(1, sizeof *d) : NULL;
+    struct zip_stream *const d = is_deflated ? calloc(1, sizeof *d) : NULL;
     *zip = (zip_out){.to = to};
-    if (d && !deflateInit2(&d->stream, LEVEL, Z_DEFLATED, -MAX_WBITS, MEMORY_LEVEL, Z_DEFAULT_STRATEGY))
+    if (d && !deflateInit2(&d->z, LEVEL, Z_DEFLATED, -MAX_WBITS, MEMORY_LEVEL, Z_DEFAULT_STRATEGY))
         zip->deflater = d;
     else
         free(d);
@@ -42,7 +45,7 @@ bool zip_begin(zip_out *zip, FILE *to, bool is_deflated)
 void zip_free(zip_out *zip)
 {
     if (zip->deflater)
-        deflateEnd(&zip->deflater->stream);
+        deflateEnd(&zip->deflater->z);
     free(zip->deflater);
     zip->deflater = NULL;
 }
@@ -50,17 +53,17 @@ void zip_free(zip_out *zip)
 /* Writes what comes out of these bytes, and, to finish, what is left. */
 static void deflate_bytes(zip_out *zip, const void *bytes, size_t count, int flush)
 {
-    struct deflater *const d = zip->deflater;
-    d->stream.next_in = bytes;
-    d->stream.avail_in = (uInt)count;
+    struct zip_stream *const d = zip->deflater;
+    d->z.next_in = bytes;
+    d->z.avail_in = (uInt)count;
     do {
-        d->stream.next_out = d->out;
-        d->stream.avail_out = CHUNK;
-        deflate(&d->stream, flush);
-        const size_t filled = CHUNK - d->stream.avail_out;
-        fwrite(d->out, 1, filled, zip->to);
+        d->z.next_out = d->room;
+        d->z.avail_out = CHUNK;
+        deflate(&d->z, flush);
+        const size_t filled = CHUNK - d->z.avail_out;
+        fwrite(d->room, 1, filled, zip->to);
         zip->written += filled;
-    } while (!d->stream.avail_out);
+    } while (!d->z.avail_out);
 }
 
 static void write_bytes(zip_out *zip, const void *bytes, size_t count) { zip->written += fwrite(bytes, 1, count, zip->to); }
@@ -84,44 +87,38 @@ static void write_fields(zip_out *zip, const field *f)
 
 static bool is_long(uint64_t number) { return number >= none; }
 
-static uint32_t or_none(uint64_t number) { return is_long(number) ? none : (uint32_t)number; }
-
 /* What both headers of a member have in common. */
 #define COMMON(zip, m) \
     {2, VERSION}, {2, 0}, {2, (zip)->deflater ? DEFLATED : STORED}, {2, 0}, {2, DAY}, { 4, (m)->crc }
 
-static void write_before(zip_out *zip, const zip_member *m)
-{
-    const size_t name = strlen(m->name);
-    write_fields(zip, (const field[]){{4, 0x04034b50}, COMMON(zip, m), {4, none}, {4, none}, {2, name}, {2, 20}, {0, 0}});
-    write_bytes(zip, m->name, name);
-    write_fields(zip, (const field[]){{2, EXTRA}, {2, 16}, {8, m->bytes}, {8, m->stored}, {0, 0}});
-}
-
-static void write_header(zip_out *zip, const unsigned char header[NPY_HEADER])
+/* Up to the bytes of the array: the header that stands before these in the member is not deflated. */
+static void write_before(zip_out *zip, const zip_member *m, const unsigned char header[NPY_HEADER])
 {
     static const unsigned char block[BLOCK] = {0, NPY_HEADER, 0, 0xff - NPY_HEADER, 0xff};
-    if (zip->deflater)
-        write_bytes(zip, block, sizeof block);
+    const size_t name = strlen(m->name);
+    write_fields(zip, (const field[]){{4, 0x04034b50}, COMMON(zip, m), {4, none}, {4, none}, {2, name}, {2, LOCAL_EXTRA}, {0, 0}});
+    write_bytes(zip, m->name, name);
+    write_fields(zip, (const field[]){{2, EXTRA}, {2, LOCAL_EXTRA - 4}, {8, m->bytes}, {8, m->stored}, {0, 0}});
+    write_bytes(zip, block, zip->deflater ? sizeof block : 0);
     write_bytes(zip, header, NPY_HEADER);
 }
 
-void zip_begin_member(zip_out *zip, const char *name)
+void zip_begin_member(zip_out *zip, const npy_array *array)
 {
     static const unsigned char unknown[NPY_HEADER];
     zip_member *const m = &zip->members[zip->count++];
     *m = (zip_member){.start = zip->written};
-    strncpy(m->name, name, ZIP_NAME_MAX);
-    write_before(zip, m);
-    write_header(zip, unknown);
+    strncpy(m->name, array->name, ZIP_NAME_MAX);
+    zip->array = array;
+    write_before(zip, m, unknown);
     if (zip->deflater)
-        deflateReset(&zip->deflater->stream);
+        deflateReset(&zip->deflater->z);
 }
 
 void zip_add(zip_out *zip, const void *bytes, size_t count)
 {
     zip_member *const m = &zip->members[zip->count - 1];
-    m->crc = (uint32_t)crc32_z(m->crc, bytes, count);
+    m->crc = zip_crc(m->crc, bytes, count);
     m->bytes += count;
     if (zip->deflater)
         deflate_bytes(zip, bytes, count, Z_NO_FLUSH);
@@ -130,18 +127,6 @@ void zip_add(zip_out *zip, const void *bytes, size_t count)
 }
 
 uint32_t zip_crc(uint32_t crc, const void *bytes, size_t count) { return (uint32_t)crc32_z(crc, bytes, count); }
-
-/* Writes again what stands before a member's bytes. */
-static void fill_in(zip_out *zip, const zip_member *m, const unsigned char header[NPY_HEADER])
-{
-    const uint64_t end = zip->written;
-    if (!fseeko(zip->to, (off_t)m->start, SEEK_SET)) {
-        write_before(zip, m);
-        write_header(zip, header);
-        fseeko(zip->to, (off_t)end, SEEK_SET);
-    }
-    zip->written = end;
-}
 
 /* zlib takes the length as a long at times. */
 static uint32_t crc_of_both(uint32_t first, uint32_t second, uint64_t bytes)
@@ -152,78 +137,63 @@ static uint32_t crc_of_both(uint32_t first, uint32_t second, uint64_t bytes)
     return (uint32_t)crc32_combine(first, second, (z_off_t)bytes);
 }
 
-void zip_end_member(zip_out *zip, const unsigned char header[NPY_HEADER])
+/* Writes again what stands before the bytes, as it is known now. */
+void zip_end_member(zip_out *zip, uint64_t rows)
 {
+    unsigned char header[NPY_HEADER];
     zip_member *const m = &zip->members[zip->count - 1];
     if (zip->deflater)
         deflate_bytes(zip, NULL, 0, Z_FINISH);
-    m->crc = crc_of_both((uint32_t)crc32_z(0, header, NPY_HEADER), m->crc, m->bytes);
+    const uint64_t end = zip->written;
+    npy_header(header, zip->array, rows);
+    m->crc = crc_of_both(zip_crc(0, header, NPY_HEADER), m->crc, m->bytes);
     m->bytes += NPY_HEADER;
-    m->stored = zip->written - m->start - (30 + strlen(m->name) + 20);
-    fill_in(zip, m, header);
+    m->stored = end - m->start - (BEFORE + strlen(m->name) + LOCAL_EXTRA);
+    if (!fseeko(zip->to, (off_t)m->start, SEEK_SET)) {
+        write_before(zip, m, header);
+        fseeko(zip->to, (off_t)end, SEEK_SET);
+    }
+    zip->written = end;
+}
+
+void zip_add_array(zip_out *zip, const npy_array *array, size_t rows, const void *bytes)
+{
+    zip_begin_member(zip, array);
+    zip_add(zip, bytes, rows * array->row_bytes);
+    zip_end_member(zip, rows);
 }
 
 static void list_member(zip_out *zip, const zip_member *m)
 {
     const size_t name = strlen(m->name);
     const bool is_extra = is_long(m->bytes) || is_long(m->stored) || is_long(m->start);
-    write_fields(zip, (const field[]){{4, 0x02014b50},
-                                      {2, VERSION},
-                                      COMMON(zip, m),
-                                      {4, is_extra ? none : m->stored},
-                                      {4, is_extra ? none : m->bytes},
-                                      {2, name},
-                                      {2, is_extra ? 28 : 0},
-                                      {2, 0},
-                                      {8, 0}, /* where it begins and what it is, of several disks and systems */
-                                      {4, is_extra ? none : m->start},
-                                      {0, 0}});
+    const uint64_t bytes = is_extra ? none : m->bytes, stored = is_extra ? none : m->stored, start = is_extra ? none : m->start;
+    write_fields(zip, (const field[]){{4, 0x02014b50}, {2, VERSION}, COMMON(zip, m), {4, stored}, {4, bytes}, {2, name}, {0, 0}});
+    write_fields(zip, (const field[]){{2, is_extra ? 28 : 0}, {2, 0}, {8, 0}, {4, start}, {0, 0}}); /* no comment, one disk */
     write_bytes(zip, m->name, name);
     if (is_extra)
         write_fields(zip, (const field[]){{2, EXTRA}, {2, 24}, {8, m->bytes}, {8, m->stored}, {8, m->start}, {0, 0}});
 }
 
-/* Of a list beyond what 32 bits hold, and where that end begins. */
-static void write_long_end(zip_out *zip, uint64_t list, uint64_t bytes)
-{
-    const uint64_t end = zip->written;
-    write_fields(zip, (const field[]){{4, 0x06064b50},
-                                      {8, 44},
-                                      {2, VERSION},
-                                      {2, VERSION},
-                                      {8, 0},
-                                      {8, zip->count},
-                                      {8, zip->count},
-                                      {8, bytes},
-                                      {8, list},
-                                      {0, 0}});
-    write_fields(zip, (const field[]){{4, 0x07064b50}, {4, 0}, {8, end}, {4, 1}, {0, 0}});
-}
-
+/* Where a list is beyond what 32 bits hold another end, and where that begins, come before the one that all files have. */
 void zip_end(zip_out *zip)
 {
-    const uint64_t list = zip->written;
+    const uint64_t list = zip->written, count = zip->count;
     for (unsigned i = 0; i < zip->count; i++)
         list_member(zip, &zip->members[i]);
-    const uint64_t bytes = zip->written - list;
-    if (is_long(list))
-        write_long_end(zip, list, bytes);
-    write_fields(
-        zip,
-        (const field[]){{4, 0x06054b50}, {4, 0}, {2, zip->count}, {2, zip->count}, {4, bytes}, {4, or_none(list)}, {2, 0}, {0, 0}});
+    const uint64_t end = zip->written, bytes = end - list;
+    if (is_long(list)) {
+        write_fields(zip, (const field[]){{4, 0x06064b50}, {8, 44}, {2, VERSION}, {2, VERSION}, {8, 0}, {8, count}, {0, 0}});
+        write_fields(zip, (const field[]){{8, count}, {8, bytes}, {8, list}, {4, 0x07064b50}, {4, 0}, {8, end}, {4, 1}, {0, 0}});
+    }
+    write_fields(zip, (const field[]){{4, 0x06054b50}, {4, 0}, {2, count}, {2, count}, {4, bytes}, {0, 0}});
+    write_fields(zip, (const field[]){{4, is_long(list) ? none : list}, {2, 0}, {0, 0}});
 }
 
 /* ---------------------------------------------------------------------------------------------------------------------- reading */
 
-enum {
-    BEFORE = 30,
-    LISTED = 46,
-    END = 22,
-    LONG_END = 56,
-    LOCATOR = 20,
-    LIST_MOST = 4096,
-    RATIO_MOST = 1040, /* a deflated byte stands for 1032 at most */
-};
+/* A deflated byte stands for 1032 at most. */
+enum { LISTED = 46, END = 22, LONG_END = 56, LOCATOR = 20, LIST_MOST = 4096, RATIO_MOST = 1040 };
 
 static unsigned get16(const unsigned char *from) { return from[0] | (unsigned)from[1] << 8; }
 
@@ -318,18 +288,13 @@ unsigned zip_in_list(FILE *from, uint64_t size, zip_member members[ZIP_MEMBERS_M
     return l.members;
 }
 
-typedef struct inflater {
-    z_stream stream;
-    unsigned char room[CHUNK];
-} inflater;
-
 bool zip_reader_open(zip_reader *r, FILE *from, const zip_member *of)
 {
     *r = (zip_reader){.from = from, .of = of, .at = of->start, .stored = of->stored, .left = of->bytes};
     if (!of->is_deflated)
         return true;
     r->inflater = calloc(1, sizeof *r->inflater);
-    if (r->inflater && inflateInit2(&r->inflater->stream, -MAX_WBITS) == Z_OK)
+    if (r->inflater && inflateInit2(&r->inflater->z, -MAX_WBITS) == Z_OK)
         return true;
     free(r->inflater);
     r->inflater = NULL;
@@ -338,7 +303,7 @@ bool zip_reader_open(zip_reader *r, FILE *from, const zip_member *of)
 
 static bool inflate_some(zip_reader *r, void *to, size_t bytes)
 {
-    z_stream *const z = &r->inflater->stream;
+    z_stream *const z = &r->inflater->z;
     z->next_out = to;
     z->avail_out = (uInt)bytes;
     while (z->avail_out) {
@@ -373,7 +338,7 @@ bool zip_reader_is_whole(const zip_reader *r) { return !r->left && r->crc == r->
 void zip_reader_close(zip_reader *r)
 {
     if (r->inflater)
-        inflateEnd(&r->inflater->stream);
+        inflateEnd(&r->inflater->z);
     free(r->inflater);
     r->inflater = NULL;
 }

@@ -8,8 +8,14 @@
 
 enum { NPY_HEADER = 128 }; /* whatever the array */
 
-/* type: such as "<u4". shape: as Python writes it, "(3, 4)". Both together are of at most 60 characters. */
-void npy_header(unsigned char header[NPY_HEADER], const char *type, const char *shape);
+typedef struct npy_array {
+    const char *name, *type; /* "at.npy", "<u4" */
+    unsigned columns;        /* of a row; 0: a number each */
+    unsigned row_bytes;
+} npy_array;
+
+/* What stands before so many rows. */
+void npy_header(unsigned char header[NPY_HEADER], const npy_array *array, uint64_t rows);
 
 enum { ZIP_MEMBERS_MAX = 10, ZIP_NAME_MAX = 15 };
 
@@ -25,18 +31,22 @@ typedef struct zip_out {
     FILE *to;
     uint64_t written;
     zip_member members[ZIP_MEMBERS_MAX];
-    unsigned count;            /* the last one of them is open until its end */
-    struct deflater *deflater; /* NULL: members are stored as they are */
+    unsigned count;              /* the last one of them is open until its end */
+    const npy_array *array;      /* of this last one */
+    struct zip_stream *deflater; /* NULL: members are stored as they are */
 } zip_out;
 
 /* The stream is at its first byte. False where there is no memory; zip_free is due in any case, and takes zeros, too. */
 bool zip_begin(zip_out *zip, FILE *to, bool is_deflated);
 void zip_free(zip_out *zip);
 
-/* A member: its name, its bytes, and then the NPY_HEADER bytes that stand before these. */
-void zip_begin_member(zip_out *zip, const char *name);
+/* A member: an array, its bytes, and then how many rows these are. */
+void zip_begin_member(zip_out *zip, const npy_array *array);
 void zip_add(zip_out *zip, const void *bytes, size_t count);
-void zip_end_member(zip_out *zip, const unsigned char header[NPY_HEADER]);
+void zip_end_member(zip_out *zip, uint64_t rows);
+
+/* All of it at once. */
+void zip_add_array(zip_out *zip, const npy_array *array, size_t rows, const void *bytes);
 
 /* The checksum with more bytes. */
 uint32_t zip_crc(uint32_t crc, const void *bytes, size_t count);
@@ -57,7 +67,7 @@ typedef struct zip_reader {
     uint64_t at, stored; /* the next byte in the file, and how many of the member are left from there */
     uint64_t left;       /* of its bytes as they are */
     uint32_t crc;
-    struct inflater *inflater; /* NULL: they are stored as they are */
+    struct zip_stream *inflater; /* NULL: they are stored as they are */
 } zip_reader;
 
 /* False where there is no memory. The member stays as long as the reader. */
