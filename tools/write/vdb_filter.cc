@@ -10,8 +10,8 @@
 #include <cstring>
 #include <exception>
 #include <memory>
-#include <ostream>
-#include <streambuf>
+#include <fstream>
+#include <iostream>
 #include <string>
 
 #include <openvdb/io/Archive.h>
@@ -19,33 +19,6 @@
 
 namespace
 {
-
-// A stream of C's, as one of C++'s.
-class c_buffer : public std::streambuf
-{
-  public:
-    explicit c_buffer(FILE *to) : to(to) {}
-
-  protected:
-    int overflow(int c) override { return c == traits_type::eof() ? 0 : putc(c, to); }
-
-    std::streamsize xsputn(const char *from, std::streamsize count) override
-    {
-        return static_cast<std::streamsize>(std::fwrite(from, 1, static_cast<std::size_t>(count), to));
-    }
-
-    pos_type seekoff(off_type by, std::ios_base::seekdir from, std::ios_base::openmode) override
-    {
-        const int whence = from == std::ios_base::beg ? SEEK_SET : from == std::ios_base::cur ? SEEK_CUR : SEEK_END;
-        const bool is_question = whence == SEEK_CUR && !by;
-        return is_question || !fseeko(to, by, whence) ? pos_type(ftello(to)) : pos_type(off_type(-1));
-    }
-
-    pos_type seekpos(pos_type at, std::ios_base::openmode mode) override { return seekoff(off_type(at), std::ios_base::beg, mode); }
-
-  private:
-    FILE *to;
-};
 
 // OpenVDB's own File opens its file by name, and does not say when the disk is full.
 class archive : public openvdb::io::Archive
@@ -195,15 +168,14 @@ bool take_bricks(const vdb_grid &grid, content &to)
     return brick.values == VDB_LAST;
 }
 
-void write(const content &from, FILE *to, bool can_seek)
+void write(const content &from, std::ostream &to, bool can_seek)
 {
-    c_buffer buffer(to);
-    std::ostream stream(&buffer);
     openvdb::GridPtrVec grids;
     for (const taker *one : {from.cells.get(), from.inside.get(), from.colours.get()})
         if (one)
             grids.push_back(one->base);
-    archive().write_to(stream, grids, can_seek);
+    archive().write_to(to, grids, can_seek);
+    to.flush();
 }
 
 int fail(const char *why)
@@ -228,23 +200,23 @@ int serve()
         std::string path(grid.path_bytes, '\0');
         if (!read(&path[0], path.size()))
             return EXIT_FAILURE;
-        FILE *const to = path == "-" ? stdout : path.empty() ? nullptr : fopen(path.c_str(), "r+b");
-        if (!to && !path.empty())
+        const bool is_stdout = path == "-";
+        std::filebuf file;
+        if (!is_stdout && !path.empty() && !file.open(path, std::ios::in | std::ios::out | std::ios::binary))
             return fail_to_write();
         fputs(VDB_READY, stderr);
-        if (!to)
+        if (path.empty())
             continue;
         if (!take_bricks(grid, all))
             return EXIT_FAILURE;
-        std::string why;
+        std::ostream to(is_stdout ? std::cout.rdbuf() : &file);
+        to.exceptions(std::ios::badbit | std::ios::failbit); // at once, as errno says why
         try {
-            write(all, to, to != stdout);
-        } catch (const std::exception &e) {
-            why = e.what();
-        }
-        if (ferror(to) || fclose(to))
+            write(all, to, !is_stdout);
+        } catch (const std::ios::failure &) {
             return fail_to_write();
-        return why.empty() ? EXIT_SUCCESS : fail(why.c_str());
+        }
+        return is_stdout || file.close() ? EXIT_SUCCESS : fail_to_write();
     }
     return EXIT_SUCCESS;
 }
@@ -255,6 +227,7 @@ int main()
 {
     static char buffer[1 << 16];
     setvbuf(stdin, buffer, _IOFBF, sizeof buffer);
+    std::ios::sync_with_stdio(false);
     int status;
     try {
         status = serve();
