@@ -69,7 +69,7 @@ static int take_brick(void *data, const part_brick *brick)
     enum { TELL_EACH = 4096 };
     merging *const m = data;
     if (m->words)
-        bricks_lay(&m->cells.grid, m->words, brick->at, brick->bits);
+        bricks_lay(m->cells.grid.size, m->words, brick->at, brick->bits);
     if (++m->done % TELL_EACH == 0)
         progress_tell(&m->bar, (double)m->done / (double)m->all);
     m->out.ids = brick->ids;

@@ -8,6 +8,7 @@
 #include "console/crew.h"
 #include "console/message.h"
 #include "console/progress.h"
+#include "write/voxels.h"
 
 /* ---------------------------------------------------------------------------------------------------------- words and bricks */
 
@@ -44,15 +45,9 @@ static int lay_brick(void *data, const uint32_t at[3], const uint64_t bits[8], c
 {
     (void)ids;
     const tile_words *const t = data;
-    const uint32_t *const size = t->window->size;
-    const size_t row_words = tribox_mask_words(size[0]);
-    uint32_t from[3];
-    for (int a = 0; a < 3; a++)
-        from[a] = SIDE * at[a] - t->window->first[a];
-    for (uint32_t k = 0; k < least(SIDE, size[2] - from[2]); k++)
-        for (uint32_t j = 0; j < least(SIDE, size[1] - from[1]); j++)
-            t->words[((size_t)(from[2] + k) * size[1] + from[1] + j) * row_words + from[0] / 64] |= (bits[k] >> SIDE * j & 0xff)
-                                                                                                    << from[0] % 64;
+    const uint32_t *const first = t->window->first;
+    bricks_lay(t->window->size, t->words,
+               (const uint32_t[3]){at[0] - first[0] / SIDE, at[1] - first[1] / SIDE, at[2] - first[2] / SIDE}, bits);
     return 0;
 }
 

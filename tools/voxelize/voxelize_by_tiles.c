@@ -27,7 +27,7 @@ static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8], 
         g->code = brick_out_put(g->file, at, bits);
     }
     if (g->words)
-        bricks_lay(&g->cells->grid, g->words, at, bits);
+        bricks_lay(g->cells->grid.size, g->words, at, bits);
     return g->code;
 }
 

@@ -75,7 +75,7 @@ static int take_coloured(void *data, const uint32_t at[3], const uint64_t bits[8
         return 1;
     for (uint64_t n = 0; n < cells; n++)
         of[n] = w->in->colours->of[ids[n]];
-    bricks_lay(&w->cells.grid, w->surface, at, bits);
+    bricks_lay(w->cells.grid.size, w->surface, at, bits);
     return 0;
 }
 

@@ -140,13 +140,11 @@ static int fail_to_write(const char *path, int reason)
     return message_failure("%s: cannot write all of it: %s; nothing of it was kept", path, strerror(reason ? reason : EIO));
 }
 
-static int fail(const file_out *out, int reason)
+int file_out_failure(const file_out *out)
 {
-    return file_out_is_stdout(out->path) ? message_failure("cannot write the output: %s", strerror(reason ? reason : EIO))
-                                         : fail_to_write(out->path, reason);
+    return file_out_is_stdout(out->path) ? message_failure("cannot write the output: %s", strerror(errno ? errno : EIO))
+                                         : fail_to_write(out->path, errno);
 }
-
-int file_out_failure(const file_out *out) { return fail(out, errno); }
 
 /* Writes out all that is pending and closes what is not standard output. Returns whether all of it went well; else with errno. */
 static bool close_stream(FILE *stream)
@@ -167,7 +165,7 @@ static int complete(file_out *out)
         return EXIT_CODE_OK;
     const bool is_whole = close_stream(out->stream);
     out->stream = NULL;
-    const int code = is_whole ? EXIT_CODE_OK : fail(out, errno);
+    const int code = is_whole ? EXIT_CODE_OK : file_out_failure(out);
     if (code)
         file_out_drop(out);
     return code;
@@ -180,7 +178,7 @@ int file_out_keep(file_out *out)
 {
     int code = complete(out);
     if (!code && !give_name(out))
-        code = fail(out, errno);
+        code = file_out_failure(out);
     file_out_drop(out); /* what has its name is no longer beside it */
     return code;
 }
@@ -204,14 +202,14 @@ static bool set_aside(const file_out *out, char *aside)
 static int name_both(const file_out *one, const file_out *other, char *aside)
 {
     if (aside && !set_aside(one, aside))
-        return fail(one, errno);
+        return file_out_failure(one);
     const bool is_named = give_name(one);
     if (is_named && give_name(other)) {
         if (aside)
             new_file_remove(aside);
         return EXIT_CODE_OK;
     }
-    const int code = fail(is_named ? other : one, errno);
+    const int code = file_out_failure(is_named ? other : one);
     if (aside)
         new_file_rename(aside, one->target);
     else if (is_named)

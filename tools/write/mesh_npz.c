@@ -37,13 +37,6 @@ static bool make_room(merging *g)
     return g->vertices && g->places && g->faces;
 }
 
-static void free_room(merging *g)
-{
-    free(g->vertices);
-    free(g->places);
-    free(g->faces);
-}
-
 static void put_vertex(unsigned char *to, const double u[NUMBERS], bool is_double)
 {
     const float narrow[NUMBERS] = {(float)u[0], (float)u[1], (float)u[2]};
@@ -103,6 +96,8 @@ int mesh_npz_write(const file_out *out, const mesh *m, const rgb *colours)
         merge(&g);
         code = write_arrays(out, &g, colours);
     }
-    free_room(&g);
+    free(g.vertices);
+    free(g.places);
+    free(g.faces);
     return code;
 }

@@ -11,7 +11,7 @@
 #include "volume.h"
 
 /* Magic, version, length and text together are a multiple of 64, as the format demands. */
-enum { BEFORE_TEXT = 10, CELLS = 512, CELL_BYTES = 12 };
+enum { BEFORE_TEXT = 10 };
 
 /* shape: as Python writes it, "(3, 4)". */
 static void fill_header(unsigned char header[NPY_HEADER], const char *type, const char *shape)
@@ -61,16 +61,16 @@ static int open_cells(brick_out *out)
 
 static int put_cells(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
-    unsigned char cells[CELLS * CELL_BYTES], *to = cells;
+    uint32_t cells[512][3], count = 0;
     for (uint32_t k = 0; k < 8; k++)
-        for (uint64_t word = bits[k]; word; word &= word - 1, to += CELL_BYTES) {
-            const uint32_t bit = lowest_bit(word);
-            little_put32(to, 8 * at[0] + bit % 8);
-            little_put32(to + 4, 8 * at[1] + bit / 8);
-            little_put32(to + 8, 8 * at[2] + k);
+        for (uint64_t word = bits[k]; word; word &= word - 1, count++) {
+            cells[count][0] = 8 * at[0] + lowest_bit(word) % 8;
+            cells[count][1] = 8 * at[1] + lowest_bit(word) / 8;
+            cells[count][2] = 8 * at[2] + k;
         }
-    fwrite(cells, 1, (size_t)(to - cells), out->to);
-    out->occupied += (uint64_t)(to - cells) / CELL_BYTES;
+    little_turn(cells, 3 * count, sizeof **cells);
+    fwrite(cells, sizeof *cells, count, out->to);
+    out->occupied += count;
     return EXIT_CODE_OK;
 }
 

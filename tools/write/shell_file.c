@@ -236,14 +236,6 @@ static void describe_mesh(char text[TEXT_MAX], const shell_file *f, uint64_t ver
              f->has_corners ? "\"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":1}}]," : "");
 }
 
-static bool put_numbers(FILE *to, const uint32_t *number, size_t count)
-{
-    uint32_t bytes[COLOURED_BYTES / 4];
-    memcpy(bytes, number, count * sizeof *bytes);
-    little_turn(bytes, count, sizeof *bytes);
-    return fwrite(bytes, sizeof *bytes, count, to) == count;
-}
-
 /* In 16 bits all bytes stay apart, the dark ones too. */
 static uint32_t linear_of(const rgb_curve *curve, unsigned char byte)
 {
@@ -259,13 +251,13 @@ static bool put_glb_vertex(shell_file *f, const uint32_t halves[3], rgb colour)
         number[3] = linear_of(f->state, colour.at[0]) | linear_of(f->state, colour.at[1]) << 16;
         number[4] = linear_of(f->state, colour.at[2]) | (uint32_t)UINT16_MAX << 16;
     }
-    return put_numbers(f->to, number, f->has_corners ? 5 : 3);
+    return volume_put_numbers(f->to, number, f->has_corners ? 5 : 3);
 }
 
 static bool put_glb_triangle(shell_file *f, const uint32_t triangle[3], rgb colour)
 {
     (void)colour;
-    return put_numbers(f->to, triangle, 3);
+    return volume_put_numbers(f->to, triangle, 3);
 }
 
 /* Blanks fill the text up to a multiple of four. No cell that is set, no mesh: glTF has no empty ones. */
@@ -287,10 +279,10 @@ static int begin_glb(shell_file *f)
     curve = rgb_curve_make();
     f->state = &curve;
     fputs("glTF", f->to);
-    put_numbers(f->to, (const uint32_t[3]){2, (uint32_t)all, (uint32_t)strlen(text)}, 3);
+    volume_put_numbers(f->to, (const uint32_t[3]){2, (uint32_t)all, (uint32_t)strlen(text)}, 3);
     fprintf(f->to, "JSON%s", text);
     if (bytes) {
-        put_numbers(f->to, (const uint32_t[1]){(uint32_t)bytes}, 1);
+        volume_put_numbers(f->to, (const uint32_t[1]){(uint32_t)bytes}, 1);
         fwrite("BIN", 1, 4, f->to);
     }
     return EXIT_CODE_OK;

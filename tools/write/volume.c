@@ -8,6 +8,7 @@
 #include "console/message.h"
 #include "console/system.h"
 #include "console/written_number.h"
+#include "read/little.h"
 
 const volume_writer volume_raw = {.write_all = dense_write, .frame = &(const volume_frame){.has_words = true}};
 
@@ -81,6 +82,14 @@ void volume_note_shift(const volume_format *format, const char *path, const voxe
 
 /* ----------------------------------------------------------------------------------------------------------------------- output */
 
+bool volume_put_numbers(FILE *to, const uint32_t *number, size_t count)
+{
+    uint32_t turned[8];
+    memcpy(turned, number, count * sizeof *number);
+    little_turn(turned, count, sizeof *turned);
+    return fwrite(turned, sizeof *turned, count, to) == count;
+}
+
 static bool write_some(void *to, const void *bytes, size_t count) { return fwrite(bytes, 1, count, to) == count; }
 
 /* Cells that a format needs all at once, until all bricks are there: their words, or an id of each. */
@@ -139,9 +148,9 @@ static int gather_put(brick_out *out, const uint32_t at[3], const uint64_t bits[
     const gathering *const g = out->state;
     const uint32_t *const size = out->cells.grid.size, *from = out->ids;
     if (g->words)
-        bricks_lay(&out->cells.grid, g->words, at, bits);
+        bricks_lay(size, g->words, at, bits);
     if (g->inside)
-        bricks_lay(&out->cells.grid, g->inside, at, out->inside);
+        bricks_lay(size, g->inside, at, out->inside);
     for (uint32_t k = 0; k < 8 && g->ids; k++)
         for (uint64_t word = bits[k]; word; word &= word - 1) {
             const uint32_t bit = lowest_bit(word);

@@ -18,8 +18,7 @@ typedef struct volume_options {
 typedef struct volume_frame {
     void (*before)(FILE *to, const voxels *v); /* what stands before them, and after them; NULL: nothing */
     void (*after)(FILE *to);
-    bool has_words; /* without labels the words of tribox_voxelize, little-endian; else a byte for each cell, 1 where
-                       it is set, 2 where it is labelled as inside */
+    bool has_words; /* without labels those of tribox_voxelize, little-endian; else a byte for each cell: 1, or 2 inside */
 } volume_frame;
 
 struct brick_out;
@@ -127,8 +126,8 @@ typedef struct brick_out {
 } brick_out;
 
 /*
- * Starts the content of an open file. about: grid and shift of the whole; its words are not looked at. Returns an
- * exit_code, on failure after its line; nothing then needs to be dropped.
+ * Starts the content of an open file. about: grid and shift of the whole; its words are not looked at. Returns an exit_code, on
+ * failure after its line; nothing then needs to be dropped.
  */
 int brick_out_open(brick_out *out, const volume_format *format, const volume_options *options, file_out *file, const voxels *about);
 
@@ -150,6 +149,9 @@ void brick_out_drop(brick_out *out);
  */
 int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
                      unsigned threads, uint64_t *bricks, progress *bar);
+
+/* Little-endian, eight at most. */
+bool volume_put_numbers(FILE *to, const uint32_t *number, size_t count);
 
 /* All cells between what stands before them and after them: by threads, in any order, where the file has places, else by one. */
 int dense_write(brick_out *out, progress *bar);

@@ -3,7 +3,6 @@
 
 #include "colours/colours.h"
 #include "console/message.h"
-#include "read/little.h"
 #include "volume.h"
 
 /* A colour is an index of the palette, where 1 is white by default. A chunk's header is its name and two lengths. */
@@ -19,18 +18,10 @@ static int check_grid(const char *path, const tribox_grid *grid)
                            path, SIDE_MAX, n[0], n[1], n[2]);
 }
 
-static void put(FILE *to, uint32_t number)
-{
-    unsigned char bytes[4];
-    little_put32(bytes, number);
-    fwrite(bytes, 1, sizeof bytes, to);
-}
-
 static void start_chunk(FILE *to, const char *name, uint32_t bytes, uint32_t bytes_of_children)
 {
     fputs(name, to);
-    put(to, bytes);
-    put(to, bytes_of_children);
+    volume_put_numbers(to, (const uint32_t[]){bytes, bytes_of_children}, 2);
 }
 
 /* The label is the colour where cells have none of their own. */
@@ -72,13 +63,12 @@ static int write_vox(brick_out *out, progress *bar)
     const bool has_labels = v->inside;
     const uint32_t palette_bytes = v->colours || has_labels ? CHUNK_HEADER + PALETTE_BYTES : 0;
     fputs("VOX ", to);
-    put(to, VERSION);
+    volume_put_numbers(to, &(const uint32_t){VERSION}, 1);
     start_chunk(to, "MAIN", 0, CHUNK_HEADER + SIZE_BYTES + CHUNK_HEADER + cell_bytes + palette_bytes);
     start_chunk(to, "SIZE", SIZE_BYTES, 0);
-    for (int a = 0; a < 3; a++)
-        put(to, n[a]);
+    volume_put_numbers(to, n, 3);
     start_chunk(to, "XYZI", cell_bytes, 0);
-    put(to, cells);
+    volume_put_numbers(to, &cells, 1);
     for (uint32_t k = 0; k < n[2] && !ferror(to); k++) {
         for (uint32_t j = 0; j < n[1]; j++)
             write_row(to, v, j, k);

@@ -190,10 +190,10 @@ void bricks_inside(const voxels *v, const uint32_t at[3], uint64_t inside[8])
 }
 
 /* Eight cells along x never lie in two words. */
-void bricks_lay(const tribox_grid *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8])
+void bricks_lay(const uint32_t size[3], uint64_t *words, const uint32_t at[3], const uint64_t bits[8])
 {
-    const size_t row_words = voxels_row_words(grid), layer_words = voxels_layer_words(grid);
-    const uint32_t rows = least(SIDE, grid->size[1] - SIDE * at[1]), depth = least(SIDE, grid->size[2] - SIDE * at[2]);
+    const size_t row_words = tribox_mask_words(size[0]), layer_words = row_words * size[1];
+    const uint32_t rows = least(SIDE, size[1] - SIDE * at[1]), depth = least(SIDE, size[2] - SIDE * at[2]);
     const uint32_t shift = SIDE * at[0] % 64;
     uint64_t *const corner = words + SIDE * at[2] * layer_words + SIDE * at[1] * row_words + at[0] / SIDE;
     for (uint32_t k = 0; k < depth; k++)

@@ -79,7 +79,7 @@ int bricks_cut(const voxels *v, uint32_t tile, brick_taker *take, void *data, pr
 /* The cells of a brick that are inside, of voxels with labels. */
 void bricks_inside(const voxels *v, const uint32_t at[3], uint64_t inside[8]);
 
-/* Sets the cells of a brick that lies in the grid, in the words of all its layers. */
-void bricks_lay(const tribox_grid *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8]);
+/* Sets the cells of a brick that lies in a grid of this size, in its words. */
+void bricks_lay(const uint32_t size[3], uint64_t *words, const uint32_t at[3], const uint64_t bits[8]);
 
 #endif
