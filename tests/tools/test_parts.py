@@ -168,8 +168,9 @@ class Parts(Voxels):
     def test_arrays(self):
         """Of 390 cells along x two of the eight of a last brick are not used; of 270 along y, 140 along z as many."""
         path, first, second = self.part("1/1", "--ids"), self.part("1/2", name="s"), self.part("2/2", name="s")
+        plain = self.part("1/1", name="plain")  # in the order of other tiles
         stored, senseless = readers.arrays(path), "what it says of the whole makes no sense"
-        at, bits, ids = stored["at"], stored["bits"], stored["ids"]
+        ids, (at, bits) = stored["ids"], [readers.arrays(plain)[name] for name in ("at", "bits")]
         rows = [("its arrays do not fit its bricks", {"at": at[:-1]}), ("its arrays do not fit its bricks", {"bits": bits[:, :7]}),
                 ("its ids are not those of its cells", {"ids": ids[:-1]}),
                 ("its ids are not those of its cells", {"ids": np.append(ids, ids[:1])}),
@@ -186,7 +187,8 @@ class Parts(Voxels):
             places, others = at.copy(), bits.copy()
             places[n], others[n] = place, words
             rows.append(("(it has|its) %s; run shard 1 of 1 again" % why, {"at": places, "bits": others}))
-        plain = self.part("1/1", name="plain")
+        order = [1, 0, *range(2, len(at))]  # two of one tile
+        rows.append(("its bricks are out of order; run shard 1 of 1 again", {"at": at[order], "bits": bits[order]}))
         for why, arrays in rows:
             self.refuse_parts("rewritten.npz: damaged: " + why,
                               self.rewritten(plain if "bits" in arrays and "at" in arrays else path, **arrays))
