@@ -2,7 +2,6 @@
  * shell.c - the faces between set and clear cells, merged into rectangles plane by plane; the points of the grid where these have
  * corners, and the vertices that lie in them; vertices along the sides of rectangles, and triangles between them.
  */
-#define _POSIX_C_SOURCE 200809L
 #include "shell.h"
 
 #include <stdbool.h>

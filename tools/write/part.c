@@ -1,5 +1,4 @@
 /* part.c - what a part says of the mesh, and whether parts are those of one whole. */
-#define _POSIX_C_SOURCE 200809L
 #include "part.h"
 
 #include <stdio.h>

@@ -1,5 +1,4 @@
 /* part_read.c - reads the .npz file of a part, or of the whole, and checks that it is complete. */
-#define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

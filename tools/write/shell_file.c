@@ -1,5 +1,4 @@
 /* shell_file.c - finds the surface of all cells, and writes it as a mesh. */
-#define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
