@@ -209,9 +209,8 @@ static int open_vdb(brick_out *out)
 
 static int put_vdb(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
-    enum { CELLS = 512 };
     FILE *const to = filter.to;
-    float light[CELLS][3];
+    float light[512][3];
     vdb_brick brick = {.at = {at[0], at[1], at[2]}};
     memcpy(brick.bits, bits, sizeof brick.bits);
     if (filter.grid.has_colours || filter.grid.has_ids)

@@ -254,13 +254,17 @@ static FILE *open_nameless(char *name)
     return file;
 }
 
+enum { SPOOL_CHUNK = 1 << 16 };
+
 FILE *spool_open(const file_out *out)
 {
     char *const folder = out->target ? NULL : new_file_passing_folder();
     FILE *const spool = open_nameless(folder        ? name_within(folder, passing_name)
                                       : out->target ? name_beside(out->target, false)
                                                     : NULL);
-    if (!spool)
+    if (spool)
+        setvbuf(spool, NULL, _IOFBF, SPOOL_CHUNK);
+    else
         message_failure("%s: cannot write there: %s", folder ? folder : out->path, strerror(errno));
     free(folder);
     return spool;
@@ -268,7 +272,7 @@ FILE *spool_open(const file_out *out)
 
 int spool_read(FILE *spool, const file_out *out, bool (*take)(void *data, const void *bytes, size_t count), void *data)
 {
-    unsigned char chunk[1 << 16];
+    unsigned char chunk[SPOOL_CHUNK];
     size_t length;
     bool is_taken = !ferror(spool) && !fflush(spool) && !fseek(spool, 0, SEEK_SET);
     while (is_taken && (length = fread(chunk, 1, sizeof chunk, spool)) > 0)

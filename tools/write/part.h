@@ -31,23 +31,12 @@ typedef struct part_header {
     part_whole whole;
 } part_header;
 
-/* The arrays of its file: those that have a row for each brick, or for each set cell; then, as they lie in a part_header. */
-enum {
-    NPZ_BITS,
-    NPZ_AT,
-    NPZ_IDS, /* one of these three at most; a part has no other than ids */
-    NPZ_INSIDE,
-    NPZ_COLOURS,
-    NPZ_ORIGIN,
-    NPZ_CELL,
-    NPZ_SIZE,
-    NPZ_SHIFT,
-    NPZ_SHARD, /* of a part alone, like what follows */
-    NPZ_TILES,
-    NPZ_WHOLE,
-    NPZ_END,
-    NPZ_ROW_MOST = 56
-};
+/*
+ * The arrays of its file: those that have a row for each brick, or for each set cell, of ids, inside and colours one at most, and a
+ * part has none of these but ids; then a row each of what lies in a part_header, from the shard on in a part alone.
+ */
+enum { NPZ_BITS, NPZ_AT, NPZ_IDS, NPZ_INSIDE, NPZ_COLOURS, NPZ_ORIGIN };
+enum { NPZ_CELL = NPZ_ORIGIN + 1, NPZ_SIZE, NPZ_SHIFT, NPZ_SHARD, NPZ_TILES, NPZ_WHOLE, NPZ_END, NPZ_ROW_MOST = 56 };
 
 typedef struct npz_array {
     npy_array npy;

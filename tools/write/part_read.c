@@ -120,6 +120,8 @@ static int find_bricks(part *p, FILE *file, const zip_member *const of[NPZ_END])
     return message_failure("%s: damaged: its arrays do not fit its bricks; %s", p->path, again);
 }
 
+static int lack_memory(const part *p) { return message_failure("out of memory for %s", p->path); }
+
 static int by_place(const void *a, const void *b) { return memcmp(a, b, AT_BYTES); }
 
 /* The bricks of a whole come in any order, but each once. */
@@ -128,8 +130,7 @@ static int check_places(const part *p, FILE *file)
     zip_reader r;
     unsigned char header[NPY_HEADER];
     unsigned char(*const at)[AT_BYTES] = p->bricks < SIZE_MAX / AT_BYTES ? malloc((size_t)p->bricks * AT_BYTES + 1) : NULL;
-    int code =
-        at && zip_reader_open(&r, file, &p->arrays[NPZ_AT]) ? EXIT_CODE_OK : message_failure("out of memory for %s", p->path);
+    int code = at && zip_reader_open(&r, file, &p->arrays[NPZ_AT]) ? EXIT_CODE_OK : lack_memory(p);
     if (!code) {
         bool is_read = zip_reader_read(&r, header, sizeof header);
         for (uint64_t n = 0, block; is_read && n < p->bricks; n += block) {
@@ -186,8 +187,6 @@ static int refuse(const part *p, const char *why)
         return message_failure("%s: damaged: %s; %s", p->path, why, again);
     return message_failure("%s: damaged: %s; run shard %u of %u again", p->path, why, p->header.shard, p->header.shards);
 }
-
-static int lack_memory(const part *p) { return message_failure("out of memory for %s", p->path); }
 
 /* Whether a brick on the upper border of the grid has cells beyond it. */
 static bool has_strays(const uint32_t size[3], const part_brick *b)
