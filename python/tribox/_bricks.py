@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from ._arguments import options_of, range_of
 from ._errors import Brief, InputError
-from ._files import load_bricks, save_bricks
+from ._files import save_bricks
 from ._grids import Grid, grid_given
+from ._loading import load_bricks
 from ._masks import BYTE, WORD, bools, row_words
 from ._overlap import ALL
 from ._threads import in_threads, threads_of

@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 from ._arguments import array_of, wholes
 from ._errors import Brief, InputError, InputTypeError, shown
 from ._ffi import ffi
-from ._files import ending_of_input, load_binvox, load_dense, save_voxels
+from ._files import save_voxels
 from ._grids import SIZE_MAX, Grid
 from ._library import lib
+from ._loading import ending_of_input, load_binvox, load_dense
 from ._masks import BOOL, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
 from ._triangles import point
 from ._typing import Window
