@@ -128,24 +128,27 @@ def bits_at(words, tile, i, j, k):
 
 
 def bricks_in(voxels):
-    """The bricks of all cells of a grid, in the order of z, y and x."""
+    """The bricks of all cells of a grid or a window, in the order of z, y and x."""
+    first, size = voxels.window
+    low = tuple(f // 8 * 8 for f in first)
+    voxels = voxels._within(low, tuple(f + s - l for f, s, l in zip(first, size, low)))
     parts, of_cells, insides, start = [], [], [], 0
     numbers = voxels._ids if voxels._colors is None else numbers_of(voxels._colors)  # which come into the order of bricks
     for k in range(0, voxels.shape[0], 8):
         layers = voxels.words[k:k + 8]
-        parts.append(cut(padded(layers), np.array([[0, 0, k // 8]])))
-        at, bits = parts[-1]
+        at, bits = cut(padded(layers), np.zeros((1, 3), np.int64))
+        parts.append((at + np.array([low[0] // 8, low[1] // 8, (low[2] + k) // 8], NUMBER), bits))
         if numbers is not None:
             in_cells = cells_of_ids(numbers[start:], bools(layers, voxels.shape[2]))
-            of_cells.append(brick_ids(in_cells, at - np.array([0, 0, k // 8], NUMBER), bits))
+            of_cells.append(brick_ids(in_cells, at, bits))
             start += len(of_cells[-1])
-        if voxels.inside is not None:
+        if voxels._inside is not None:
             i, j, _ = at.T
-            insides.append(bits_at(little(padded(voxels.inside.words[k:k + 8])), 0 * i, i, j, 0 * i))
+            insides.append(bits_at(little(padded(voxels._inside[k:k + 8])), 0 * i, i, j, 0 * i))
     found = np.concatenate([np.empty(0, NUMBER), *of_cells])
     return replace(joined(parts, voxels.grid), ids=None if voxels._ids is None else found,
                    colors=None if voxels._colors is None else found.view(BYTE).reshape(-1, 4)[:, :3],
-                   inside=None if voxels.inside is None else np.concatenate([np.empty((0, 8), WORD), *insides]))
+                   inside=None if voxels._inside is None else np.concatenate([np.empty((0, 8), WORD), *insides]))
 
 
 def numbers_of(colors):

@@ -148,9 +148,12 @@ def write_new(path, write, what):
 
 def save_voxels(voxels, path):
     ending = ending_of(path, SimpleNamespace(ids=voxels._ids, inside=voxels._inside, colors=voxels._colors))
-    if ending != ".npy" and voxels.window[1] != voxels.grid.size:
-        raise InputError(f"path = {shown(path)}; these are the cells {voxels.window} of a grid of {voxels.grid.sides()}, and files "
-                         "but .npy hold whole grids; voxelize without a window, or give a name that ends in .npy")
+    if ending in (".nrrd", ".vti"):
+        try:
+            voxels = voxels._within((0, 0, 0), voxels.grid.size)
+        except (MemoryError, ValueError):
+            raise InputError(f"path = {shown(path)}; {ending} holds every cell of a grid, and there is no memory for "
+                             f"{voxels.grid.sides()}; give a name that ends in .npz, or in .npy for the window alone") from None
     write_as(path, ending, WRITERS, voxels)
 
 

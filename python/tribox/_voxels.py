@@ -228,6 +228,23 @@ class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
             part._colors = None if self._colors is None else fixed(self._colors[is_in])
         return part if self._inside is None else part._with_inside(rows_of_words(bools(self._inside, self.shape[2])[key]))
 
+    def _within(self, first, size):
+        """The same cells, and clear ones around them, in a larger window."""
+        if (first, size) == self._window:
+            return self
+        before = [own - f for own, f in zip(self._window[0], first)]
+        rows = tuple(slice(b, b + count) for b, count in zip(before[:0:-1], self.shape))
+        sides = (0, 0), (0, 0), (before[0], size[0] - before[0] - self.shape[2])
+
+        def wide(words):
+            larger = np.zeros((*size[:0:-1], row_words(size[0])), WORD)
+            larger[rows] = rows_of_words(np.pad(bools(words, self.shape[2]), sides))
+            return larger
+
+        voxels = Voxels(wide(self._words), self._grid, (first, size))
+        voxels._ids, voxels._colors = self._ids, self._colors
+        return voxels if self._inside is None else voxels._with_inside(wide(self._inside))
+
     def _add(self, words):
         """Adds cells, which may be these very words."""
         if words is not self._words:
