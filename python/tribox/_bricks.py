@@ -19,9 +19,9 @@ from ._loading import load_bricks
 from ._masks import BYTE, WORD, bools, row_words
 from ._overlap import ALL
 from ._threads import in_threads, threads_of
-from ._tiles import (NUMBER, Listed, Tiling, Workshop, bits_of_bricks, brick_ids, cells_of_ids, check_ids, set_padded_tile,
-                     set_with_ids, side_of)
-from ._triangles import held
+from ._tiles import (NUMBER, Listed, Tiling, Workshop, bits_of_bricks, brick_ids, cells_of_ids, set_padded_tile, set_with_ids,
+                     side_of)
+from ._triangles import COUNT_MAX, check_count, held
 from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
 from ._voxelize import new_cells
 from ._voxels import Voxels, fixed, middles
@@ -226,7 +226,7 @@ def bricks(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: O
     listing = options_of("exact", axes, 0, kernel)  # cells that are not exact depend on which tiles are asked
     tiling = Tiling(grid_given(held_, grid, cell, resolution), side_of(side))
     first, count = range_of("tiles", tiles, tiling.count, "tiles")
-    listed = Listed(held_, tiling, first, count, listing, threads_)
     if ids:
-        check_ids(held_)
+        check_count(held_, "ids", COUNT_MAX - 1)
+    listed = Listed(held_, tiling, first, count, listing, threads_)
     return (bricks_with_ids if ids else bricks_of)(listed, tiling, options, threads_)

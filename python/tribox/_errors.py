@@ -58,7 +58,9 @@ def named(arguments):
 def error_of(status, **arguments):
     """The exception for a status other than TRIBOX_OK. arguments: those that the status is about."""
     text = ffi.string(lib.tribox_status_text(status)).decode()
-    return InputError(f"{text}: {named(arguments)}", STATUS[status].replace("TRIBOX_", ""))
+    if status == lib.TRIBOX_BAD_ARGUMENT:
+        text = "the library cannot take an argument in which this module found nothing wrong; please report the call"
+    return InputError(f"{text}: {named(arguments)}" if arguments else text, STATUS[status].replace("TRIBOX_", ""))
 
 
 def bad_index(mesh, faces):

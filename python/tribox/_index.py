@@ -16,7 +16,7 @@ from ._library import lib
 from ._masks import bools, check_out, new_words, pointer_to, rows_of_words
 from ._overlap import ALL, BOX, check_oriented
 from ._threads import cut, in_threads, processors, threads_of
-from ._triangles import Mesh, Part, Soup, by_number, check_sound, extent, held, is_double
+from ._triangles import Mesh, Part, Soup, by_number, check_count, check_sound, extent, held, is_double
 from ._typing import Accuracy, Answer, Boxes, Region, TrianglesLike, Vector
 
 NUMBER = np.dtype(np.uint32)
@@ -120,6 +120,7 @@ class Index(metaclass=Brief):
 
     def __init__(self, triangles: TrianglesLike, *, keep_order: bool = False, threads: Optional[SupportsIndex] = 1) -> None:
         held_, threads = held(triangles), min(threads_of(threads), processors())
+        check_count(held_, "an Index")
         order = None if keep_order else order_of(held_, threads)
         self._set(in_order(held_, order, threads), order, threads)
 

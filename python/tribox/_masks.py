@@ -56,8 +56,10 @@ def check_out(out, shape, packed_shape):
     wanted = shape if dtype == BOOL else packed_shape
     if out.shape != wanted:
         raise InputError(f"out has shape {out.shape}; give {wanted}")
-    if not out.flags.writeable or dtype == WORD and not out.flags.c_contiguous:
-        raise InputError("out is read-only, or not contiguous")
+    if not out.flags.writeable:
+        raise InputError("out is read-only; give an array that can be written to")
+    if dtype == WORD and not out.flags.c_contiguous:
+        raise InputError("out is not contiguous; give packed bits an array that is, or bools")
     return dtype == WORD
 
 

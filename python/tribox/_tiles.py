@@ -16,7 +16,7 @@ from ._library import lib
 from ._masks import BYTE, MASK_WORDS_MAX, WORD, bools, mask_indices, pointer_to, row_words
 from ._overlap import check_answer
 from ._threads import cut, in_threads
-from ._triangles import Mesh, by_number
+from ._triangles import Mesh, by_number, check_count
 from ._typing import Cells
 
 SIDE_MAX = 1024
@@ -59,6 +59,7 @@ class Listed:
     """Triangles by tile, as lists of their numbers: those of `count` tiles of a tiling, from the first on."""
 
     def __init__(self, held_, tiling, first, count, options, threads=1):
+        check_count(held_, "lists of tiles")
         tiles = ffi.new("tribox_tiles *", (tiling.side, first, count))
         few = threads < 2 or len(held_) <= LISTED_ALONE
         parts = cut(len(held_), 1 if few else max(1, min(PARTS_EACH * threads, len(held_) // max(count, 1)))) or [(0, 0)]
@@ -115,12 +116,6 @@ def set_padded_tile(held_, grid, first, size, options, padded):
 
 
 AT_ONCE = 1 << 23  # cells, of four bytes each: more layers are taken in turn
-TRIANGLES_MAX = 0xFFFFFFFF
-
-
-def check_ids(held_):
-    if held_.struct.count > TRIANGLES_MAX:
-        raise InputError(f"{held_.struct.count} triangles are too many for ids; give at most {TRIANGLES_MAX}")
 
 
 def set_with_ids(held_, grid, first, size, options, words, room=None):

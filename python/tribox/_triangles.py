@@ -342,6 +342,15 @@ def held(triangles):
     return mesh
 
 
+COUNT_MAX = 1 << 32  # of triangles whose numbers are uint32
+
+
+def check_count(held_, what, most=COUNT_MAX):
+    """Refuses more triangles than have numbers. what: has these."""
+    if held_.struct.count > most:
+        raise InputError(f"triangles are {held_.struct.count}, and {what} can be of {most} at most; give them in parts")
+
+
 def is_double(held_):
     """Whether coordinates are of float64."""
     return not held_.is_soup and held_.vertices.dtype == DOUBLE

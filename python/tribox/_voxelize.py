@@ -19,8 +19,8 @@ from ._masks import WORD, pointer_to, row_words
 from ._overlap import ALL, check_answer
 from ._sharing import Task
 from ._threads import threads_of
-from ._tiles import check_ids, window_ids
-from ._triangles import held
+from ._tiles import window_ids
+from ._triangles import COUNT_MAX, check_count, held
 from ._typing import Accuracy, Cell, Fill, GridLike, Range, TrianglesLike, Window
 from ._voxels import Voxels, colors_of, window_of
 
@@ -215,7 +215,7 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
     struct = struct_of(chosen)
     task = Task(held_, struct, wanted[0], wanted[1], options, words, are_clear, _c.voxelize_thin if thin else _c.voxelize)
     if wanted_of_cells:
-        check_ids(held_)
+        check_count(held_, "ids", COUNT_MAX - 1)
         found = window_ids(task, threads)
         voxels = Voxels(words, chosen, wanted)
         return voxels._with_ids(found) if of_triangles is None else voxels.with_colors(of_triangles[found])

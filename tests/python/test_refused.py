@@ -310,7 +310,8 @@ def wrong_answers():
         for out in (np.zeros(69, bool), np.zeros((70, 1), bool), np.zeros(3, np.uint64)):
             yield InputError, None, r"^out has shape .*; give \((70|2),\)", call, first, dict(out=out)
         for out in (read_only, np.zeros(4, np.uint64)[::2]):
-            yield InputError, None, "^out is read-only, or not contiguous", call, first, dict(out=out)
+            pattern = f"^out is {'read-only' if out is read_only else 'not contiguous'}; give"
+            yield InputError, None, pattern, call, first, dict(out=out)
     for odd in ([1], np.zeros(2, bool), np.zeros(4, np.uint64)[::2], np.broadcast_to(np.uint64(0), (1, 1 << 27))):
         yield InputTypeError, None, "mask must be a contiguous array of uint64", tribox.mask_indices, [odd], {}
 
@@ -332,16 +333,33 @@ class Refused(cases.TestCase):
         for odd in ("\udcff", f"{tribox.kernel_name()}\0x", [], 5, "sse9"):
             self.assertIsNone(tribox.kernel_name(odd))
 
+    def holes(self, dtype, rows):
+        """So many rows of three, in a file of nothing else."""
+        file = tempfile.TemporaryFile()
+        self.addCleanup(file.close)
+        try:
+            file.truncate(3 * rows * np.dtype(dtype).itemsize)
+            return np.memmap(file, dtype, "r", shape=(rows, 3))
+        except (OSError, OverflowError, ValueError) as error:
+            self.skipTest(f"no file of 26 GB, not even of holes: {error}")
+
     def test_negative_indices(self):
-        """Among more than 2^31 vertices, here a file of nothing but holes, a negative index is none of them either."""
-        with tempfile.TemporaryFile() as file:
-            try:
-                file.truncate(12 << 31 | 1 << 10)
-                vertices = np.memmap(file, np.float32, "r", shape=((1 << 31) + 5, 3))
-            except (OSError, OverflowError, ValueError) as error:
-                self.skipTest(f"no file of 26 GB, not even of holes: {error}")
-            mesh = tribox.Mesh(vertices, np.array([[0, 1, -(1 << 31)]], np.int32))
-            self.refuse(BadIndexError, "BAD_VERTEX", r"faces\[0, 2\] is -2147483648", tribox.overlap, mesh, LO, HI)
+        """Among more than 2^31 vertices a negative index is none of them either."""
+        mesh = tribox.Mesh(self.holes(np.float32, (1 << 31) + 5), np.array([[0, 1, -(1 << 31)]], np.int32))
+        self.refuse(BadIndexError, "BAD_VERTEX", r"faces\[0, 2\] is -2147483648", tribox.overlap, mesh, LO, HI)
+
+    def test_too_many(self):
+        """More triangles than numbers of 32 bits; and what the library would say."""
+        mesh = tribox.Mesh(VERTICES, self.holes(np.uint16, (1 << 32) + 1))
+        for what, call, *arguments in (("an Index", tribox.Index), ("lists of tiles", tribox.bricks, GRID),
+                                       ("lists of tiles", tribox.cell_lists, GRID)):
+            self.refuse(InputError, None, f"^triangles are 4294967297, and {what} can be of 4294967296 at most; give them in parts",
+                        call, mesh, *arguments)
+        for call in tribox.voxelize, tribox.bricks:
+            self.refuse(InputError, None, "ids can be of 4294967295 at most", call, tribox.Mesh(VERTICES, mesh.faces[1:]), GRID,
+                        ids=True)
+        error = tribox._errors.error_of(tribox._library.lib.TRIBOX_BAD_ARGUMENT)
+        self.assertRegex(str(error), "cannot take an argument .* report the call$")
 
     def test_no_memory(self):
         """Of large cells, whose pages are mapped, as of small ones."""
