@@ -46,8 +46,8 @@ voxelize() returns Voxels, an array of bool that knows its grid. The grid is lai
     >>> voxels = tribox.voxelize(triangles, cell=0.1)
     >>> voxels.shape, voxels.sum(), voxels.grid.size
     ((50, 60, 60), 292, (60, 60, 50))
-    >>> tribox.voxelize(triangles, resolution=64, fill="outside", threads=2)
-    <tribox.Voxels: 329 of 64 x 64 x 54 cells, from (0, 0, 0) to (6, 6, 5.0625)>
+    >>> tribox.voxelize(triangles, resolution=64, thin=True, threads=2)
+    <tribox.Voxels: 297 of 64 x 64 x 54 cells, from (0, 0, 0) to (6, 6, 5.0625)>
     >>> tribox.voxelize(triangles, tribox.Grid(origin=(0, 0, 0), cell=1, size=(3, 3, 1))).astype(int)
     array([[[1, 1, 1],
             [1, 1, 0],

@@ -56,7 +56,7 @@ def new_words(shape):
 
 
 class OpenMeshWarning(UserWarning, metaclass=Brief):
-    """A mesh is certainly not closed, so its inside is not well defined."""
+    """A mesh is certainly not closed, so its inside is not well defined; or nothing was found inside."""
 
 
 def fill_outside(held_, grid, words, scratch, solid):
@@ -92,6 +92,10 @@ def filled(call, held_, grid, words):
     """The cells of a surface and those inside."""
     solid, scratch = np.empty_like(words), np.empty(lib.tribox_fill_bytes(tuple(grid.size)), np.uint8)
     call(held_, grid, pointer_to(words), ffi.from_buffer(scratch), pointer_to(solid))
+    if call is fill_outside and np.array_equal(solid, words):
+        warnings.warn('fill = "outside" fills nothing: the surface is open by a cell or more, or encloses none; give larger cells '
+                      'if it has holes, smaller ones if its walls are near to each other, or fill = "parity"', OpenMeshWarning,
+                      stacklevel=3)
     return solid
 
 
@@ -176,10 +180,10 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
     thin: about half of these cells: those in which a triangle crosses a line through the middle along x, y or z. A flat surface is
         then one cell thick, and still does not leak: no path across faces of cells leads through it, but one across edges may.
         Exact, with all axes.
-    fill: "outside" also sets every cell that cannot be reached from outside the grid across faces of clear cells; "parity" also
-        those from whose middle a ray along x crosses the triangles an odd number of times, so that a hole does not empty the
-        inside, and warns (OpenMeshWarning) if the mesh is certainly not closed; "middles" sets only those, without the cells of the
-        surface, as VTK's stencils and PyVista do. Whole grids only.
+    fill: "outside" also sets every cell that cannot be reached from outside the grid across faces of clear cells, and warns
+        (OpenMeshWarning) if there is none; "parity" also those from whose middle a ray along x crosses the triangles an odd number
+        of times, so that a hole does not empty the inside, and warns if the mesh is certainly not closed; "middles" sets only
+        those, without the cells of the surface, as VTK's stencils and PyVista do. Whole grids only.
     labels: with fill, tells the cells of the surface from those inside: voxels.labels() are 1 and 2, voxels.inside has only the
         cells inside, and files hold the labels. Not with into.
     threads: how many may share the work, never more than there are processors; used if they save time: with many triangles, or with

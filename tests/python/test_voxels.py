@@ -407,13 +407,18 @@ class Insides(cases.TestCase):
         self.assert_same(into, before | solid)
 
     def test_open(self):
+        """Who fills an open mesh is warned, and nobody else."""
         points, faces = torus(np.random.default_rng(cases.seed()))
-        for fill in ("middles", "parity"):
-            with warnings.catch_warnings(record=True) as caught:
-                warnings.simplefilter("always")
-                tribox.voxelize(tribox.Mesh(points, faces[:-30]), resolution=50, fill=fill)
-            self.assertEqual([(one.category, one.filename) for one in caught], [(tribox.OpenMeshWarning, __file__)])
-            self.assertRegex(str(caught[0].message), "the mesh is not closed: [0-9]+ of [0-9]+ rows")
+        for fill, pattern in (*((fill, "the mesh is not closed: [0-9]+ of [0-9]+ rows") for fill in ("middles", "parity")),
+                              ("outside", "fills nothing: the surface is open by a cell or more, or encloses none; give larger")):
+            for mesh in faces[:-30], faces:
+                with warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    tribox.voxelize(tribox.Mesh(points, mesh), resolution=50, fill=fill)
+                self.assertEqual([(one.category, one.filename) for one in caught],
+                                 [(tribox.OpenMeshWarning, __file__)] * (mesh is not faces))
+                for one in caught:
+                    self.assertRegex(str(one.message), pattern)
 
     def test_vtk(self):
         """Equal cell by cell on closed meshes."""
