@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from abc import ABCMeta
+from dataclasses import replace
 from typing import Any, Iterator, Optional, Tuple, Union
 
 import numpy as np
@@ -14,12 +15,12 @@ from ._arguments import array_of, wholes
 from ._errors import Brief, InputError, InputTypeError, shown
 from ._ffi import ffi
 from ._files import save_voxels
-from ._grids import SIZE_MAX, Grid
+from ._grids import SIZE_MAX, Grid, grid_of
 from ._library import lib
-from ._loading import ending_of_input, load_binvox, load_dense
+from ._loading import check_grid, load_cells, path_of
 from ._masks import BOOL, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
 from ._triangles import point
-from ._typing import Window
+from ._typing import GridLike, Window
 
 
 # What gives bools of bools, cell by cell.
@@ -293,7 +294,9 @@ class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
 
         .vdb (OpenVDB; ids, labels, colors), .vox (MagicaVoxel; labels, colors of a palette), .ply, .obj and .glb (faces; colors),
         .binvox (cubes) and .raw (bits; ids, labels) are written by the program tribox, which is found on PATH, or where the
-        environment variable TRIBOX_PROGRAM says. Cells of a window can only be .npy.
+        environment variable TRIBOX_PROGRAM says.
+
+        Of a window, such as voxels[2:5], a .npy is the array; all others are of the whole grid, in which the other cells are clear.
 
         Raises InputError for other kinds, for one that does not hold the ids, labels or colors that there are, and for a grid that
         the format cannot hold; OSError if the file cannot be written; Error without the program. What had the name before is
@@ -302,26 +305,32 @@ class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
         save_voxels(self, os.fspath(path))
 
     @staticmethod
-    def load(path: Union[str, "os.PathLike[str]"]) -> Voxels:
-        """Reads a file that save() or the program tribox wrote: .npz, .nrrd, .vti or .binvox, with its grid and all that it holds.
+    def load(path: Union[str, "os.PathLike[str]"], grid: Optional[GridLike] = None) -> Voxels:
+        """Reads a file that save() or the program tribox wrote, with all ids, labels and colors that it holds.
 
-        A .nrrd says where the middle of the first cell is, so the origin of its grid may be off by the rounding of that. A .npy
-        has no grid: Voxels(numpy.load(path), grid). A .binvox is of a cube, up to which the grid was filled.
+        .npz, .nrrd, .vti, .vdb and .binvox have their grid. Give that of others: .npy, also of a list of cells, .raw, .vox, .ply,
+        .obj and .glb. One that is given for the former is checked, and is then that of the Voxels: a .nrrd, which says where the
+        middle of the first cell is, may be off by a rounding, and a .binvox is of a cube, up to which its grid was filled.
 
-        Raises InputError for other files, for damaged ones, and for a part of a whole.
+        What does not come back: the colors of .ply, .obj and .glb, where cells without a face have none; ids of a .vdb, as the
+        Python module of OpenVDB, openvdb or pyopenvdb, which a .vdb takes, does not read them; colors that were too many for a
+        .vox; and which window it was. A .raw of 2 or 8 cells along x that can be bits as well as ids or labels is refused.
+
+        Raises InputError for other files, for damaged ones, for a part of a whole, and for one of another grid; Error for a .vdb
+        without that module.
         """
         from ._bricks import Bricks  # which is made of Voxels
 
-        ending = ending_of_input(path)
-        if ending == ".npz":
-            return Bricks.load(path).voxels()
-        if ending == ".binvox":
-            return Voxels(*load_binvox(os.fspath(path)))
-        cells, grid, is_labels = load_dense(os.fspath(path))
+        path, given = path_of(path), grid if grid is None or isinstance(grid, Grid) else grid_of(grid)
+        if os.path.splitext(path)[1].lower() == ".npz":
+            bricks = Bricks.load(path)
+            return replace(bricks, grid=check_grid(path, given, bricks.grid)).voxels()
+        cells, whole, colors = load_cells(path, given)
         if cells.dtype.kind == "i":
-            return Voxels(cells >= 0, grid)._with_ids(cells[cells >= 0].astype(np.uint32))
-        voxels = Voxels(cells != 0, grid)
-        return voxels._with_inside(rows_of_words(cells == 2)) if is_labels else voxels
+            return Voxels(cells >= 0, whole)._with_ids(cells[cells >= 0].astype(np.uint32))
+        if cells.dtype == np.uint8:
+            return Voxels(cells != 0, whole)._with_inside(rows_of_words(cells == 2))
+        return Voxels(cells, whole).with_colors(*colors) if colors else Voxels(cells, whole)
 
 
 def fixed(array):

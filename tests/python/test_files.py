@@ -1,6 +1,8 @@
 """Files of cells as the program writes them, whose planes are those that were asked about; and meshes as the program reads them."""
 
 import copy
+import dataclasses
+import importlib.util
 import json
 import os
 import pickle
@@ -10,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from itertools import product
 from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
@@ -24,8 +27,11 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "
 import readers  # noqa: E402
 
 NEEDS_PROGRAM = unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+HAS_OPENVDB = any(map(importlib.util.find_spec, ("openvdb", "pyopenvdb")))
 GRIDS = {"tenths": ((-2.1, -1.5, 1e-6), (0.3, 1 / 3, 0.7), (13, 9, 11)), "one": ((-2, -2, -2), 4, (1, 1, 1)),
-         "far": ((557820.1, 5108010, -1e9), (0.1, 1e-5, 2e9), (70, 3, 2))}
+         "far": ((557820.1, 5108010, -1e9), (0.1, 1e-5, 2e9), (70, 3, 2)), "cubes": ((-2.1, 1, 1e6), 0.5, (9, 5, 4))}
+ALONE = ".npz", ".npy", ".nrrd", ".vti"  # which take no program
+FACES = ".ply", ".obj", ".glb"
 
 
 class Files(cases.TestCase):
@@ -47,62 +53,48 @@ class Files(cases.TestCase):
         self.assertIsNone(thing.save(path))
         return path
 
-    def test_npy(self):
+    def told(self):
+        """Also with ids, labels and colors, and which of these they have."""
         for voxels in self.voxels():
-            self.assert_same(np.load(self.saved(voxels, ".npy")), np.array(voxels))
+            yield "bits", voxels
+        for voxels in list(self.voxels())[1::3]:
+            some, count = self.pick.integers(0, 1 << 63, voxels.words.shape, np.uint64), voxels.sum()
+            yield "ids", tribox.Voxels(voxels.words, voxels.grid)._with_ids(self.pick.integers(0, 1 << 31, count, np.uint32))
+            yield "labels", tribox.Voxels(voxels.words, voxels.grid)._with_inside(voxels.words & some)
+            yield "colors", voxels.with_colors(self.pick.integers(0, 6, (count, 3), np.uint8) * np.uint8(51))
+
+    def assert_alike(self, one, other):
+        """The same cells, and all that is known of them."""
+        self.assertEqual((one.grid, one.window), (other.grid, other.window))
+        for name in ("_words", "_ids", "_inside", "_colors"):
+            a, b = getattr(one, name), getattr(other, name)
+            self.assertEqual(a is None, b is None, name)
+            np.testing.assert_array_equal(a, b, name)
+
+    def test_by_readers(self):
+        """What is written here, as readers of their own see it."""
+        for what, voxels in self.told():
+            for ending in ALONE if what != "colors" else ():
+                cells, grid = readers.read(str(self.saved(voxels, ending)), None, what)
+                expected = voxels.labels() if what == "labels" else np.array(voxels)
+                if what == "ids":
+                    expected = np.where(expected, 0, -1)
+                    expected[np.asarray(voxels)] = voxels.ids
+                np.testing.assert_array_equal(cells, expected)
+                self.assert_near(grid or dict(zip(("origin", "cell", "size"), voxels.grid)), voxels.grid, ending == ".nrrd")
         part = tribox.voxelize(cases.lattice(30), GRIDS["tenths"], window=((1, 2, 3), (8, 6, 7)))
         self.assert_same(np.load(self.saved(part, ".NPY")), np.array(part))
 
-    def test_npz(self):
-        for voxels in self.voxels():
-            for thing in (voxels, tribox.Bricks(*self.bricks(voxels), voxels.grid)):
-                with np.load(self.saved(thing, ".npz")) as file:
-                    grid = tribox.Grid(file["origin"], file["cell"], file["size"])
-                    bricks = tribox.Bricks(file["at"], file["bits"], grid)
-                    self.assertEqual({name: file[name].dtype.str for name in file.files},
-                                     dict(at="<u4", bits="<u8", origin="<f8", cell="<f8", size="<u4", shift="<f8"))
-                self.assertEqual(grid, voxels.grid)
-                self.assertEqual(sorted(bricks.cells().tolist()), sorted(voxels.cells().tolist()))
-                self.assertTrue(bricks.bits.any(1).all())
-
-    def bricks(self, voxels):
-        """at and bits, a brick at a time."""
-        nz, ny, nx = (-(-size // 8) * 8 for size in voxels.shape)
-        cells = np.zeros((nz, ny, nx), bool)
-        cells[tuple(slice(size) for size in voxels.shape)] = voxels
-        found = [((i, j, k), [sum(1 << int(x + 8 * y) for y, x in np.argwhere(cells[8 * k + z, 8 * j:8 * j + 8, 8 * i:8 * i + 8]))
-                              for z in range(8)]) for k, j, i in np.ndindex(nz // 8, ny // 8, nx // 8)]
-        found = [brick for brick in found if any(brick[1])]
-        return (np.array([at for at, _ in found], np.uint32).reshape(-1, 3),
-                np.array([bits for _, bits in found], np.uint64).reshape(-1, 8))
-
-    def test_nrrd(self):
-        for voxels in self.voxels():
-            head, _, body = self.saved(voxels, ".nrrd").read_bytes().partition(b"\n\n")
-            fields = dict(line.split(": ", 1) for line in head.decode("ascii").splitlines() if ": " in line)
-            self.assertEqual(tuple(map(int, fields["sizes"].split())), voxels.grid.size)
-            directions = np.array([eval(row) for row in fields["space directions"].split()], float)
-            self.assert_same(directions, np.diag(voxels.grid.cell))
-            middle = eval(fields["space origin"])
-            for a in range(3):
-                self.assertEqual(middle[a], voxels.grid.origin[a] + voxels.grid.cell[a] / 2)
-            self.assert_same(np.frombuffer(body, np.uint8).reshape(voxels.shape).astype(bool), np.array(voxels))
-
-    def test_vti(self):
-        for voxels in self.voxels():
-            content = self.saved(voxels, ".vti").read_bytes()
-            head, _, rest = content.partition(b'<AppendedData encoding="raw">\n   _')
-            attributes = dict(re.findall(r'(\w+)="([^"]*)"', head.decode("ascii")))
-            self.assertEqual(tribox.Grid(attributes["Origin"].split(), attributes["Spacing"].split(),
-                                         [int(x) for x in attributes["WholeExtent"].split()[1::2]]), voxels.grid)
-            length, = np.frombuffer(rest, "<u8", 1)
-            self.assertEqual(length, voxels.size)
-            self.assert_same(np.frombuffer(rest, np.uint8, length, 8).reshape(voxels.shape).astype(bool), np.array(voxels))
-            self.assertEqual(rest[8 + int(length):], b"\n  </AppendedData>\n</VTKFile>\n")
+    def assert_near(self, found, grid, is_rounded):
+        """A grid, or all but the roundings of its origin."""
+        origin, cell, size = map(np.array, grid)
+        ulp = np.spacing(np.maximum(abs(origin), abs(origin + cell / 2))) * is_rounded
+        self.assertTrue((abs(origin - found["origin"]) <= ulp).all())
+        self.assertEqual((tuple(found["cell"]), tuple(found["size"])), (grid.cell, grid.size))
 
     @NEEDS_PROGRAM
     def test_like_the_program(self):
-        """Byte by byte, but for .npz, whose arrays are the same, in an order of their own."""
+        """Byte by byte, but for .npz, whose bricks have an order of their own."""
         triangles = cases.lattice(40).astype(float) * (0.1, 1e-6, 3e9)
         mesh = triangles + (5e6, 0.1, 0)
         for options, way in ((("--cell", "0.01,1e-7,1e9"), dict(cell=(0.01, 1e-7, 1e9))),
@@ -116,20 +108,10 @@ class Files(cases.TestCase):
                 subprocess.run([os.environ["TRIBOX_PROGRAM"], "voxelize", "-", "--format", "f64", *options, "-o", path, "--quiet"],
                                input=mesh.tobytes(), capture_output=True, timeout=120, check=True)
                 ours = self.saved(voxels, ending)
-                if ending != ".npz":
+                if ending == ".npz":
+                    self.assert_alike(*map(tribox.Voxels.load, (path, ours)))
+                else:
                     self.assertEqual(ours.read_bytes(), Path(path).read_bytes(), ending)
-                    continue
-                with np.load(path) as one, np.load(ours) as other:
-                    self.assertEqual(set(one.files), set(other.files))
-                    orders = [np.lexsort(file["at"].T) for file in (one, other)]
-                    ids = [{(*cell, id) for cell,
-                            id in zip(bricks.cells().tolist(), () if bricks.ids is None else bricks.ids.tolist())}
-                           for bricks in map(tribox.Bricks.load, (path, ours))]
-                    self.assertEqual(*ids)
-                    for name in set(one.files) - {"ids"}:
-                        arrays = [file[name][order] if name in ("at", "bits", "inside") else file[name]
-                                  for file, order in zip((one, other), orders)]
-                        self.assert_same(*arrays, name)
 
     def program(self, *words):
         return subprocess.run([os.environ["TRIBOX_PROGRAM"], *map(str, words)], capture_output=True, timeout=120, check=True).stdout
@@ -259,22 +241,9 @@ class Files(cases.TestCase):
         refuse(tribox.InputError, None, "^.*x.vox: .*256", narrow.save, out)
         refuse(tribox.InputError, None, "^.*x.binvox: .*cubic", narrow.save, folder / "x.binvox")
         self.assertEqual((sorted(os.listdir(folder)), out.read_bytes()), (["broken.ply", "holed.off", "program", "x.vox"], content))
-        shard = tribox.Bricks(*self.bricks(voxels), voxels.grid, shard=(2, 5))
+        shard = dataclasses.replace(tribox.bricks(cases.lattice(9), voxels.grid), shard=(2, 5))
         refuse(tribox.InputError, None, "shard 2 of 5; tribox merge", shard.save, out)
-
-    @NEEDS_PROGRAM
-    def test_binvox(self):
-        """A grid of cubes, filled up to a cube."""
-        for cells in (self.pick.random((4, 5, 9)) < 0.4, np.zeros((1, 1, 1), bool), np.ones((9, 9, 9), bool)):
-            voxels = tribox.Voxels(cells, tribox.Grid((-2.1, 1, 1e6), 0.5, cells.shape[::-1]))
-            path = self.saved(voxels, ".binvox")
-            again, side = tribox.Voxels.load(path), max(cells.shape)
-            self.assertEqual(again.grid, tribox.Grid(voxels.grid.origin, 0.5, (side,) * 3))
-            self.assert_same(again.cells(), voxels.cells())
-            octets = path.read_bytes()
-            for content in (octets[:-2], octets[:-1], octets[:9], b"", octets.replace(b"dim", b"din"), octets + b"\1\1"):
-                path.write_bytes(content)
-                self.refuse(tribox.InputError, None, f"{path.name}: not a file of cells", tribox.Voxels.load, path)
+        refuse(tribox.InputError, None, "shard 2 of 5; tribox merge", shard.voxels)
 
     def test_whole_or_as_it_was(self):
         """Where a write fails, or the user ends it, what had the name is still there and nothing else; links stay links."""
@@ -343,60 +312,97 @@ class Files(cases.TestCase):
             self.refuse(tribox.InputError, None, "^path = .*; give the path of a file", tribox.Bricks.load, wrong)
         self.assertRaises(FileNotFoundError, tribox.Bricks.load, "no.npz")
 
-    def test_ids_and_labels(self):
-        """Of bricks as of voxels, in .npz and, as bytes of all cells, in the others; and saved again."""
-        told = (tribox.voxelize(cases.some(), GRIDS["tenths"], ids=True),
-                tribox.bricks(cases.some(), GRIDS["tenths"], side=16, ids=True),
-                tribox.voxelize(cases.some(), resolution=30, fill="outside", labels=True))
-        for thing in told:
-            path = self.saved(thing, ".npz")
-            bricks = tribox.Bricks.load(path)
-            again = tribox.Bricks.load(self.saved(bricks, ".npz"))
-            self.assertEqual(sorted(bricks.cells().tolist()), sorted(thing.cells().tolist()))
-            if thing is not told[2]:
-                numbers = [dict(zip(map(tuple, one.cells().tolist()), one.ids.tolist())) for one in (thing, bricks, again)]
-                self.assertEqual(numbers, numbers[:1] * 3)
-                self.assertEqual(bricks.ids.dtype, np.uint32)
-                continue
-            labels = thing.labels()
-            for one in (bricks, again):
-                found = np.zeros_like(labels)
-                for cells, label in ((one.cells(), 1), (tribox.Bricks(one.at, one.inside, one.grid).cells(), 2)):
-                    found[tuple(cells.T[::-1])] = label
-                self.assert_same(found, labels)
-            self.assert_same(np.load(self.saved(thing, ".npy")), labels)
-            for ending in (".nrrd", ".vti"):
-                self.assertIn(labels.tobytes(), self.saved(thing, ending).read_bytes())
-            self.assertIsNone(tribox.Bricks.load(self.saved(thing.inside, ".npz")).inside)
-        self.assertIsNone(tribox.Bricks.load(self.saved(tribox.voxelize(cases.some(), GRIDS["tenths"]), ".npz")).ids)
+    def test_bricks(self):
+        """As Voxels, saved and saved again."""
+        ids = tribox.voxelize(cases.some(), GRIDS["tenths"], ids=True)
+        things = (ids, tribox.bricks(cases.some(), GRIDS["tenths"], side=16, ids=True)), *((one, one) for _, one in self.told())
+        for voxels, thing in things:
+            bricks = tribox.Bricks.load(self.saved(thing, ".npz"))
+            for one in (bricks, tribox.Bricks.load(self.saved(bricks, ".npz"))):
+                self.assert_alike(one.voxels(), voxels)
+
+    def files(self, what):
+        """The endings of files of such Voxels that can be written and read here."""
+        for ending, holds in tribox._files.HOLDS.items():
+            if ending in ALONE or "TRIBOX_PROGRAM" in os.environ and not (ending == ".vdb" and (what == "ids" or not HAS_OPENVDB)):
+                if what == "bits" or what in holds:
+                    yield ending
 
     def test_read_again(self):
-        """Voxels of each file are those that were saved, with grid, ids and labels."""
-        told = (*self.voxels(), tribox.voxelize(cases.some(), GRIDS["tenths"], ids=True),
-                tribox.voxelize(cases.some(), resolution=70, ids=True),
-                tribox.voxelize(cases.some(), resolution=30, fill="outside", labels=True))
-        for voxels in told:
-            for ending in (".npz", ".nrrd", ".VTI"):
-                again = tribox.Voxels.load(self.saved(voxels, ending))
-                np.testing.assert_array_equal(again.words, voxels.words)
-                origin, cell, size = map(np.array, voxels.grid)
-                ulp = np.spacing(np.maximum(abs(origin), abs(origin + cell / 2))) * (ending == ".nrrd")
-                self.assertTrue((abs(origin - again.grid.origin) <= ulp).all())
-                self.assertEqual((again.window, again.grid.cell, again.grid.size), (voxels.window, (*cell,), (*size,)))
-                for name in ("_ids", "_inside"):
-                    self.assertEqual(getattr(again, name) is None, getattr(voxels, name) is None)
-                    np.testing.assert_array_equal(getattr(again, name), getattr(voxels, name))
-        for ending in (".nrrd", ".vti"):
-            path = self.saved(told[-1], ending)
+        """Voxels of every file are those that were saved, with grid, ids, labels and colors; those of a slice in its grid."""
+        for (what, voxels), key in product(self.told(), (np.s_[:], np.s_[1:4, 1:, -11:-2])):
+            grid, part = voxels.grid, voxels[key]
+            for ending in self.files(what):
+                if ending == ".binvox" and len(set(grid.cell)) > 1 or ending == ".npy" and part.window != voxels.window:
+                    continue
+                path = self.saved(part, ending.upper() if what == "ids" else ending)
+                again, expected = tribox.Voxels.load(path, grid), part
+                if ending in FACES and what == "colors":
+                    expected = tribox.Voxels(part.words, grid, part.window)
+                self.assertEqual((again.grid, again.sum()), (grid, part.sum()), ending)
+                self.assert_alike(again[key], expected)
+                if ending in (".npy", ".raw", ".vox", *FACES):
+                    self.refuse(tribox.InputError, None, rf"{path.name}: a {ending} does not say .*; give grid=tribox\.Grid",
+                                tribox.Voxels.load, path)
+                    continue
+                own = tribox.Voxels.load(path).grid
+                size = (max(grid.size),) * 3 if ending == ".binvox" else grid.size
+                self.assert_near(own.__dict__, tribox.Grid(grid.origin, grid.cell, size), ending == ".nrrd")
+
+    def test_not_read_again(self):
+        """Damaged files, other grids, and what nobody knows."""
+        grid, refuse, wrong = tribox.Grid((0, 1, 2), 0.5, (9, 5, 4)), self.refuse, tribox.InputError
+        smaller, moved = tribox.Grid(grid.origin, grid.cell, (9, 5, 3)), tribox.Grid((0, 1, 2.5), grid.cell, grid.size)
+        voxels = tribox.Voxels(self.pick.random((4, 5, 9)) < 0.5, grid)
+        for ending in self.files("bits"):
+            path = self.saved(voxels, ending)
             octets = path.read_bytes()
-            other = octets.replace(b"uint8", b"uint9").replace(b"UInt8", b"X")
-            for content in (octets[:-1], octets + b"x", octets[:50], b"", other):
+            for other in (smaller, *[moved] * (ending not in (".npy", ".raw", ".vox"))):
+                pattern = f"^grid = .*{path.name} has Grid.*; give that|{path.name}: not a .* damaged one.*; (give|save) the"
+                refuse(wrong, None, pattern, tribox.Voxels.load, path, other)
+            middle = octets.replace(b"\xf0\x3f", b"\xe0\x3f") if ending == ".ply" else b"x"  # a half in place of 1
+            longer = octets[:-9] if ending in (".npz", ".npy", ".obj", ".vdb") else octets + b"x"
+            for content in (octets[:-9], octets[:50], b"", middle, longer):
                 path.write_bytes(content)
-                self.refuse(tribox.InputError, None, f"{path.name}: (not a file of cells|damaged: )", tribox.Voxels.load, path)
-        part = tribox.Bricks(*self.bricks(told[1]), told[1].grid, shard=(2, 5))
-        self.refuse(tribox.InputError, None, "shard 2 of 5; tribox merge", part.voxels)
-        for path, pattern in ((3, "give the path"), ("x.npy", "has no grid: tribox.Voxels"), ("x.vdb", "end in .npz, .nrrd, .vti")):
-            self.refuse(tribox.InputError, None, f"^path = .*{pattern}", tribox.Voxels.load, path)
+                refuse(wrong, None, f"{path.name}: not a .*damaged", tribox.Voxels.load, path, grid)
+        for ending in (".nrrd", ".vti"):
+            path = self.saved(voxels, ending)
+            octets = path.read_bytes()
+            for old, new in (b"uint8", b"uint9"), (b"UInt8", b"X"), (octets[-99:-40], b"\2" * 59):
+                path.write_bytes(octets.replace(old, new))
+                if old in octets:
+                    refuse(wrong, None, f"{path.name}: not a file of cells", tribox.Voxels.load, path)
+        raw = Path(self.folder, "x.raw")
+        for nx, words in (2, [1, 2, 3]), (8, [1, 0, 2]):
+            raw.write_bytes(np.array(words, "<u8").tobytes())
+            refuse(wrong, None, "x.raw: .*24 bytes, which are bits as well as numbers", tribox.Voxels.load, raw,
+                   ((0, 0, 0), 1, (nx, 3, 1)))
+        for path, more, pattern in ((3, (), "path = 3; give the path"), ("x.xyz", (), "names end in .npz, .npy"),
+                                    ("x.npy", (7,), "^grid = 7")):
+            self.refuse((tribox.InputError, tribox.InputTypeError), None, pattern, tribox.Voxels.load, path, *more)
+        self.assertRaises(FileNotFoundError, tribox.Voxels.load, "no.nrrd")
+        places = Path(self.folder, "places.npy")
+        np.save(places, voxels.cells().astype(np.int32))
+        self.assert_alike(tribox.Voxels.load(places, grid), voxels)
+        refuse(wrong, None, "cells beyond the 9 x 5 x 3", tribox.Voxels.load, places, tuple(smaller))
+        refuse(wrong, None, r"of a window, tribox\.Voxels\(", tribox.Voxels.load, self.saved(voxels[1:], ".npy"), grid)
+
+    @unittest.skipUnless(HAS_OPENVDB, "no Python module of OpenVDB")
+    @NEEDS_PROGRAM
+    def test_openvdb(self):
+        path = self.saved(tribox.voxelize(cases.some(), GRIDS["cubes"], ids=True), ".vdb")
+        self.refuse(tribox.InputError, None, f"{path.name}: .*reads no ids.*; save the cells as .npz", tribox.Voxels.load, path)
+        with mock.patch("tribox._loading.find_spec", lambda name: None):
+            self.refuse(tribox.Error, None, f"{path.name}: .* is not here; install it", tribox.Voxels.load, path)
+
+    def test_slices(self):
+        """Of a grid that no memory holds, where a format takes bricks or the window alone."""
+        grid = tribox.Grid((0, 0, 0), 2.0 ** -40, (1 << 30,) * 3)
+        part = tribox.voxelize(np.eye(3)[None], grid, window=((5, 1 << 20, 9), (70, 9, 9))) | tribox.Voxels(
+            self.pick.random((9, 9, 70)) < 0.3, grid, ((5, 1 << 20, 9), (70, 9, 9)))
+        self.assertEqual(sorted(tribox.Bricks.load(self.saved(part, ".npz")).cells().tolist()), sorted(part.cells().tolist()))
+        self.refuse(tribox.InputError, None, r"\.nrrd holds every cell of a grid.*; give a name that ends in \.npz, or in \.npy",
+                    part.save, Path(self.folder, "x.nrrd"))
 
     def test_refused(self):
         voxels, refuse = next(self.voxels()), self.refuse
@@ -407,10 +413,6 @@ class Files(cases.TestCase):
         far = tribox.voxelize(cases.lattice(9), GRIDS["tenths"], ids=True)
         far._with_ids(far.ids + np.uint32(1 << 31))
         refuse(tribox.InputError, None, "^ids up to 21474836.* do not fit int32", far.save, os.path.join(self.folder, "x.npy"))
-        part = tribox.voxelize(cases.lattice(9), GRIDS["tenths"], layers=(0, 2))
-        for ending in (".npz", ".nrrd", ".vti"):
-            path = os.path.join(self.folder, "x" + ending)
-            refuse(tribox.InputError, None, "hold whole grids; voxelize without a window", part.save, path)
         self.assertEqual(os.listdir(self.folder), [])
         self.assertRaises(FileNotFoundError, voxels.save, os.path.join(self.folder, "no", "x.npy"))
         self.assertRaises(TypeError, voxels.save, 3)
