@@ -253,13 +253,12 @@ def load_glb(path, grid):
 
 
 def planes_at(corners, grid):
-    """The numbers of the planes of the grid on which corners lie; of some, in the middle of an edge of a cell, a half more."""
+    """The numbers of the planes of the grid on which corners lie; of those in the middle of an edge the next, which adds no area."""
     numbers = np.empty(corners.shape)
     for a, size in enumerate(grid.size):
         boxes = [grid.box(*(p if b == a else 0 for b in range(3))) for p in range(size)]
         planes = np.array([*(lo[a] for lo, _ in boxes), boxes[-1][1][a]])
         numbers[:, a] = np.searchsorted(planes, corners[:, a])
-        numbers[:, a] -= 0.5 * (planes[np.minimum(numbers[:, a].astype(int), size)] != corners[:, a])
     return numbers
 
 

@@ -61,7 +61,8 @@ class Files(cases.TestCase):
             some, count = self.pick.integers(0, 1 << 63, voxels.words.shape, np.uint64), voxels.sum()
             yield "ids", tribox.Voxels(voxels.words, voxels.grid)._with_ids(self.pick.integers(0, 1 << 31, count, np.uint32))
             yield "labels", tribox.Voxels(voxels.words, voxels.grid)._with_inside(voxels.words & some)
-            yield "colors", voxels.with_colors(self.pick.integers(0, 6, (count, 3), np.uint8) * np.uint8(51))
+            palette = self.pick.integers(0, 256, (200, 3), np.uint8)
+            yield "colors", voxels.with_colors(palette[self.pick.integers(0, 200, count)])
 
     def assert_alike(self, one, other):
         """The same cells, and all that is known of them."""
@@ -384,6 +385,8 @@ class Files(cases.TestCase):
         places = Path(self.folder, "places.npy")
         np.save(places, voxels.cells().astype(np.int32))
         self.assert_alike(tribox.Voxels.load(places, grid), voxels)
+        np.save(places, np.tile(voxels.cells().astype(np.int32), (2, 1)))
+        refuse(wrong, None, "places.npy: .*a cell that comes twice", tribox.Voxels.load, places, grid)
         refuse(wrong, None, "cells beyond the 9 x 5 x 3", tribox.Voxels.load, places, tuple(smaller))
         refuse(wrong, None, r"of a window, tribox\.Voxels\(", tribox.Voxels.load, self.saved(voxels[1:], ".npy"), grid)
 
