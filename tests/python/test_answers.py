@@ -285,8 +285,8 @@ class Truth(Asking):
         axis = ((0.1, 0.2, 0.7), (0, 1 / 3, 0.1), (-0.9, 0, 0.3))
         for number, (name, triangles) in enumerate(far(24).items()):
             for turn, (lo, hi) in enumerate(boxes_about(triangles)):
-                mask, oriented = cases.truth(triangles, lo, hi), tribox.OrientedBox(triangles[turn, 0], np.subtract(hi, lo) / 3,
-                                                                                    axis)
+                mask = cases.truth(triangles, lo, hi)
+                oriented = tribox.OrientedBox(triangles[turn, 0], np.subtract(hi, lo) / 3, axis)
                 hits = cases.meshes.overlapping(triangles, [*oriented.center, *oriented.half, *np.ravel(axis)])
                 misses = [number for number in range(24) if number not in hits]
                 self.assertEqual([tribox.find(triangles, oriented, what=what) for what in ("hit", "miss")],

@@ -68,8 +68,8 @@ def wrong_boxes():
     yield InputError, None, r"axis\[0\] = .*three numbers", oriented, [TRIANGLES, LO, HI, np.eye(4)[:3]], {}
     for odd in (LO, 3, None, "abc", (LO,), (LO, HI, LO)):
         yield InputError, None, r"^lo = .* no hi; give lo and hi, .* or both .* \(2, 3\)", overlap, [TRIANGLES, odd], {}
-    yield InputError, None, r"^hi = .*; tribox\.Index\(triangles\)\.lists\(lo, hi\) takes many", overlap, [TRIANGLES, LO,
-                                                                                                           [HI, HI]], {}
+    many = r"^hi = .*; tribox\.Index\(triangles\)\.lists\(lo, hi\) takes many"
+    yield InputError, None, many, overlap, [TRIANGLES, LO, [HI, HI]], {}
     for odd in ("first", None, 1):
         yield InputError, None, "^what = .*; give one of 'hit', 'miss'", tribox.find, [TRIANGLES, LO, HI, odd], {}
     for name, known, status in (("accuracy", "exact", None), ("kernel", tribox.kernel_name(), "NO_KERNEL")):
@@ -106,8 +106,8 @@ def wrong_bounds():
         yield InputTypeError, None, "lo is ndarray of object; give real numbers", call, [*first, bounds.astype(object), bounds], {}
         yield InputTypeError, None, "hi is str", call, [*first, bounds, "hi"], {}
         for odd in (bounds[:2], bounds[0], bounds[None], 3, np.zeros((5, 4))):
-            yield InputError, None, r"^hi has shape .*; give \(m, 3\), a row for each box, or \(3, m\)", call, [*first, bounds,
-                                                                                                                odd], {}
+            pattern = r"^hi has shape .*; give \(m, 3\), a row for each box, or \(3, m\)"
+            yield InputError, None, pattern, call, [*first, bounds, odd], {}
             yield InputError, None, r"^lo has shape .* no hi; .* both .* \(m, 2, 3\)", call, [*first, odd], {}
         yield InputError, None, "^lo has 9 boxes and hi 8", call, [*first, bounds, bounds.T[:8]], {}
         yield InputError, "BAD_OPTION", "axis_order = 7", call, [*first, bounds, bounds], dict(axis_order=7)
@@ -160,9 +160,8 @@ def wrong_triangles():
         yield from each(InputError, None, r"faces has shape .*give \(n, 3\): triangle, vertex", (VERTICES, odd))
     yield InputTypeError, None, "vertices is ndarray of complex64", tribox.Mesh, [VERTICES.astype(np.complex64), FACES], {}
     for call, arguments, keywords in [*calls, (tribox.overlap_oriented, [LO, HI, EYE], {}),
-                                      (tribox.voxelize, [GRID], dict(ids=True)),
-                                      (tribox.voxelize, [GRID], dict(threads=2)), (tribox.cell_lists, [GRIDS["doubles"]],
-                                                                                   dict(threads=3)),
+                                      (tribox.voxelize, [GRID], dict(ids=True)), (tribox.voxelize, [GRID], dict(threads=2)),
+                                      (tribox.cell_lists, [GRIDS["doubles"]], dict(threads=3)),
                                       (tribox.Index, [], dict(keep_order=True))]:
         for dtype, wrong in ((np.uint16, len(VERTICES)), (np.uint32, 2 ** 32 - 1), (np.int32, -1), (np.int64, 1 << 32)):
             faces = FACES.astype(dtype)
@@ -256,28 +255,25 @@ def wrong_cells():
             *((InputError, None, r"layers = .*within the 6 layers", dict(layers=odd)) for odd in (
                 (0, 7), (6, 1), (-1, 2), (1 << 32, 1), (0, "x"), (0,), (0, 1.5), 3, (0, 10 ** 400))),
             *((InputError, None, r"^window = .*; give \(first, size\).* within the 4 x 5 x 6 cells", dict(window=odd)) for odd in (
-                3, (0, 1), ((0, 0, 0),), ((0, 0, 0), (5, 1, 1)), ((0, -1, 0), (1, 1, 1)), ((0, 0, 6), (1, 1, 1)), ((0, 0, 0),
-                                                                                                                   (1, 1)),
-                ((0, 0, 0), (1, 1, 1.5)), ((0, 0, 0), (1, 1, -1)), "window", ((0, 0, 1 << 70), (1, 1, 1)))),
+                3, (0, 1), ((0, 0, 0),), ((0, 0, 0), (5, 1, 1)), ((0, -1, 0), (1, 1, 1)), ((0, 0, 6), (1, 1, 1)), "window",
+                ((0, 0, 0), (1, 1)), ((0, 0, 0), (1, 1, 1.5)), ((0, 0, 0), (1, 1, -1)), ((0, 0, 1 << 70), (1, 1, 1)))),
             (InputError, None, "layers and window exclude", dict(window=((0, 0, 0), (1, 1, 1)), layers=(0, 1))),
             *((InputError, None, "^fill = .*; give None or one of 'outside', 'parity', 'middles'",
                dict(fill=odd)) for odd in ("flood", True, 3)),
-            *((InputError, None, "fill needs the whole grid", dict(fill=fill, **part)) for fill in ("outside",
-                                                                                                    "middles") for part in (
-                dict(layers=(0, 1)), dict(window=((0, 0, 0), (1, 1, 1))))),
+            *((InputError, None, "fill needs the whole grid", dict(fill=fill, **part)) for fill in ("outside", "middles")
+              for part in (dict(layers=(0, 1)), dict(window=((0, 0, 0), (1, 1, 1))))),
             *((InputError, None, 'give fill = "outside" or "parity"', dict(labels=True, **more)) for more in ({},
                 dict(fill="middles"))),
             (InputError, None, "labels and into exclude each other", dict(labels=True, fill="outside", into=VOXELS)),
-            *((InputError, None, "without fill and into", dict(ids=True, **more)) for more in (dict(fill="outside"),
-                                                                                               dict(into=VOXELS))),
-            (InputError, None, "leave out thin", dict(ids=True, thin=True)), (InputError, None, "leave out thin",
-                                                                              dict(thin=True, fill="middles")),
+            *((InputError, None, "without fill and into", {"ids": True, **more}) for more in (
+                dict(fill="outside"), dict(into=VOXELS))),
+            *((InputError, None, "leave out thin", {"thin": True, **more}) for more in (dict(ids=True), dict(fill="middles"))),
             *((InputError, "BAD_OPTION", "exact and of all axes", dict(thin=True, **more)) for more in (
                 dict(accuracy="fast"), dict(accuracy="conservative"), dict(axes=1))),
             *((error, None, "^into ", dict(into=odd)) for odd, error in (
                 (np.zeros((6, 5, 4), bool), InputTypeError), (True, InputTypeError),
-                (tribox.voxelize(NONE, ((0, 0, 0), 2, (4, 5, 6))), InputError), (tribox.voxelize(NONE, GRID, layers=(0, 5)),
-                                                                                 InputError)))):
+                (tribox.voxelize(NONE, ((0, 0, 0), 2, (4, 5, 6))), InputError),
+                (tribox.voxelize(NONE, GRID, layers=(0, 5)), InputError)))):
         yield error, status, pattern, tribox.voxelize, given, keywords
     for odd in (0, 4, 12, 1032, -8, 1.5, "8", None):
         yield InputError, None, "^side = .*; give how many cells", tribox.bricks, given, dict(side=odd)

@@ -119,8 +119,7 @@ class Arrays(cases.TestCase):
             for other in (pickle.loads(pickle.dumps(voxels)), copy.copy(voxels), copy.deepcopy(voxels)):
                 self.assert_same(other, np.array(voxels))
                 self.assertEqual((other.grid, other.window), (voxels.grid, voxels.window))
-        told = tribox.voxelize(self.triangles, TENTHS, ids=True), tribox.voxelize(self.triangles, TENTHS, fill="outside",
-                                                                                  labels=True)
+        told = [tribox.voxelize(self.triangles, TENTHS, **more) for more in (dict(ids=True), dict(fill="outside", labels=True))]
         ids, labels = (pickle.loads(pickle.dumps(voxels)) for voxels in told)
         self.assert_same(ids.ids, told[0].ids)
         self.assert_same(labels.labels(), told[1].labels())
@@ -223,10 +222,8 @@ class Grids(cases.TestCase):
                 self.assertEqual(max(grid.size) if "resolution" in way else grid.cell,
                                  way.get("resolution") or tuple(np.broadcast_to(way["cell"], 3)))
                 self.assertEqual((voxels.grid, voxels.window), (grid, ((0, 0, 0), grid.size)))
-                bricks, lists, layer = tribox.bricks(triangles, **way), tribox.cell_lists(triangles,
-                                                                                          **way), tribox.voxelize(triangles,
-                                                                                                                  layers=(0,
-                                                                                                                          1), **way)
+                bricks, lists = tribox.bricks(triangles, **way), tribox.cell_lists(triangles, **way)
+                layer = tribox.voxelize(triangles, layers=(0, 1), **way)
                 self.assertEqual((bricks.grid, lists.grid, layer.grid), (grid,) * 3)
                 self.assert_same(tribox.voxelize(triangles.astype(float), grid), np.array(voxels))
                 self.assert_same(layer, voxels[:1])
@@ -327,8 +324,8 @@ class Sparse(cases.TestCase):
         triangles = cases.some()
         for nothing in (triangles[:0], np.full((5, 3, 3), np.nan, np.float32), triangles + np.float32(1e20)):
             for grid in (*GRIDS.values(), ((0, 0, 0), 1, (1 << 30,) * 3)):
-                bricks, lists = tribox.bricks(nothing, grid, side=1024, tiles=(0, 1), ids=True), tribox.cell_lists(nothing, grid,
-                                                                                                                   threads=2)
+                bricks = tribox.bricks(nothing, grid, side=1024, tiles=(0, 1), ids=True)
+                lists = tribox.cell_lists(nothing, grid, threads=2)
                 self.assertEqual((bricks.at.shape, bricks.bits.shape, bricks.cells().shape, bricks.ids.shape),
                                  ((0, 3), (0, 8), (0, 3), (0,)))
                 self.assertEqual((bricks.at.dtype, bricks.bits.dtype), (np.uint32, np.uint64))
@@ -357,8 +354,8 @@ def torus(pick, around=40, across=20, tube=0.37):
     i, j = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
     a, b, c, d = ((i + x) % around * across + (j + y) % across for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
     turn = np.linalg.qr(pick.normal(size=(3, 3)))[0]
-    return (points @ turn).astype(np.float32), np.concatenate([np.stack(three, -1).reshape(-1, 3) for three in ((a, b, c),
-                                                                                                                (a, c, d))])
+    faces = [np.stack(three, -1).reshape(-1, 3) for three in ((a, b, c), (a, c, d))]
+    return (points @ turn).astype(np.float32), np.concatenate(faces)
 
 
 class Insides(cases.TestCase):

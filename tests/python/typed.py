@@ -70,6 +70,7 @@ origin: Three = tribox.Grid(lo, 0.5, [1, 2, 3]).origin
 grid: tribox.Grid = tribox.grid_around(triangles, cell=0.5)
 voxels.with_colors(tribox.voxelize(tribox.read("mesh.ply"), cell=1, colors=True).colors).save("voxels.npz")
 shard: Optional[Tuple[int, int]] = tribox.Bricks.load("a.npz").shard
+loaded: tribox.Voxels = tribox.Voxels.load("a.npy", ((0, 0, 0), 0.5, (2, 2, 2)))
 index = tribox.Index(triangles, keep_order=True, threads=None)
 count: int = index.count(lo, hi) + len(index) + tribox.tile_count((8, 8, 8)) + index.count(box)
 listed: NDArray[np.uint32] = index.list(lo, hi)
