@@ -253,7 +253,7 @@ def load_glb(path, grid):
 
 
 def planes_at(corners, grid):
-    """The numbers of the planes of the grid on which corners lie; of those in the middle of an edge the next, which adds no area."""
+    """The numbers of the planes of the grid on which corners lie; of one in the middle of an edge the next, which adds no area."""
     numbers = np.empty(corners.shape)
     for a, size in enumerate(grid.size):
         boxes = [grid.box(*(p if b == a else 0 for b in range(3))) for p in range(size)]
