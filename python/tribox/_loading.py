@@ -253,12 +253,13 @@ def load_glb(path, grid):
 
 
 def planes_at(corners, grid):
-    """The numbers of the planes of the grid on which corners lie; of one in the middle of an edge the next, which adds no area."""
+    """The numbers of the planes of the grid on which corners lie, and a half less where they lie before these."""
     numbers = np.empty(corners.shape)
     for a, size in enumerate(grid.size):
         boxes = [grid.box(*(p if b == a else 0 for b in range(3))) for p in range(size)]
         planes = np.array([*(lo[a] for lo, _ in boxes), boxes[-1][1][a]])
         numbers[:, a] = np.searchsorted(planes, corners[:, a])
+        numbers[:, a] -= 0.5 * (planes[np.minimum(numbers[:, a].astype(int), size)] != corners[:, a])
     return numbers
 
 
@@ -271,9 +272,11 @@ def within_faces(corners, faces, grid):
         warnings.simplefilter("ignore")  # of a mesh that is not closed, which the areas show
         cells = np.asarray(voxelize((corners, faces), counted, fill="middles"))
         triangles = corners[faces]
-        areas = np.abs(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])).sum(0) / 2
-    sides = np.pad(cells.view(np.int8), 1)
-    if areas.tolist() != [np.count_nonzero(np.diff(sides, axis=2 - a)) for a in range(3)]:
+        areas = np.abs(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])) / 2
+    are_whole, sides = corners % 1 == 0, np.pad(cells.view(np.int8), 1)
+    if (areas.sum(0).tolist() != [np.count_nonzero(np.diff(sides, axis=2 - a)) for a in range(3)]
+            or (np.count_nonzero(are_whole, axis=1) < 2).any()  # in the middle of an edge of a cell it is two
+            or (np.count_nonzero(areas, axis=1) > 1).any() or areas[~are_whole[faces[:, 0]]].any()):
         raise ValueError("its faces are not those of cells of the grid")
     return cells, grid
 

@@ -351,12 +351,14 @@ class Files(cases.TestCase):
     def test_not_read_again(self):
         """Damaged files, other grids, and what nobody knows."""
         grid, refuse, wrong = tribox.Grid((0, 1, 2), 0.5, (9, 5, 4)), self.refuse, tribox.InputError
-        smaller, moved = tribox.Grid(grid.origin, grid.cell, (9, 5, 3)), tribox.Grid((0, 1, 2.5), grid.cell, grid.size)
+        smaller = tribox.Grid(grid.origin, grid.cell, (9, 5, 3))
+        others = [tribox.Grid(origin, cell, grid.size) for origin, cell in (((0, 1, 2.5), 0.5), (grid.origin, 99),
+                                                                            (grid.origin, (1, 0.5, 0.5)), ((-9,) * 3, 99))]
         voxels = tribox.Voxels(self.pick.random((4, 5, 9)) < 0.5, grid)
         for ending in self.files("bits"):
             path = self.saved(voxels, ending)
             octets = path.read_bytes()
-            for other in (smaller, *[moved] * (ending not in (".npy", ".raw", ".vox"))):
+            for other in (smaller, *others * (ending not in (".npy", ".raw", ".vox"))):
                 pattern = f"^grid = .*{path.name} has Grid.*; give that|{path.name}: not a .* damaged one.*; (give|save) the"
                 refuse(wrong, None, pattern, tribox.Voxels.load, path, other)
             middle = octets.replace(b"\xf0\x3f", b"\xe0\x3f") if ending == ".ply" else b"x"  # a half in place of 1
