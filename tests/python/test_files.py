@@ -390,6 +390,21 @@ class Files(cases.TestCase):
         refuse(wrong, None, "cells beyond the 9 x 5 x 3", tribox.Voxels.load, places, tuple(smaller))
         refuse(wrong, None, r"of a window, tribox\.Voxels\(", tribox.Voxels.load, self.saved(voxels[1:], ".npy"), grid)
 
+    def test_other_faces(self):
+        """Closed meshes of the areas of cells: a block between planes, and a prism that leans as stairs do."""
+        path, sides = Path(self.folder, "other.obj"), [(n, n % 4 + 1) for n in (1, 2, 3, 4)]
+        faces = [(1, 3, 2), (1, 4, 3), (5, 6, 7), (5, 7, 8), *((a, b, b + 4) for a, b in sides),
+                 *((a, b + 4, a + 4) for a, b in sides)]
+        for left, lean in (0, 0), (0.5, 0), (0, 1):
+            corners = (left, 0), (left + 2, 0), (left + lean + 2, 2), (left + lean, 2)
+            path.write_text("\n".join(["# 8 vertices, 12 triangles", *(f"v {x} {y} {z}" for z in (0, 1) for x, y in corners),
+                                       *("f {} {} {}".format(*face) for face in faces)]))
+            asked = path, ((0, 0, 0), 1, (3, 2, 1))
+            if left or lean:
+                self.refuse(tribox.InputError, None, "other.obj: .*its faces are not those of cells", tribox.Voxels.load, *asked)
+            else:
+                self.assertEqual(tribox.Voxels.load(*asked).sum(), 4)
+
     @unittest.skipUnless(HAS_OPENVDB, "no Python module of OpenVDB")
     @NEEDS_PROGRAM
     def test_openvdb(self):
