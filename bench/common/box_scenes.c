@@ -11,15 +11,7 @@
 /* ---- soups and boxes --------------------------------------------------------------------------------------------------------- */
 
 static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
-enum { USUAL = sizeof usual / sizeof usual[0], WITH_GOALS = 3, TORUS_LONG = 500, TORUS_AROUND = 200 };
-
-bool scene_has_goals(const char *name)
-{
-    for (int k = 0; k < WITH_GOALS; k++)
-        if (!strcmp(name, usual[k]))
-            return true;
-    return false;
-}
+enum { USUAL = sizeof usual / sizeof usual[0], TORUS_LONG = 500, TORUS_AROUND = 200 };
 
 static bool has_room(scene *made, size_t triangles)
 {

@@ -16,14 +16,11 @@ typedef bool scene_answer(asked *q, scene *at, size_t number);
 /*
  * Asks about three shapes that are made here, if they are of the kinds; about the meshes of the command line; and about a terrain
  * of so many triangles, if any: a height field over a square, in rows as scanners leave them. SCENES_USUAL: where no mesh is named,
- * and it shall not be quick, about those of the folder $TRIBOX_MESHES that goals are about, and one of few huge triangles; with a
- * message where there is no such folder.
+ * and it shall not be quick, about four of the folder $TRIBOX_MESHES, one of few huge triangles; with a message where there is
+ * no such folder.
  */
 enum { SCENES_MADE = 1, SCENES_USUAL = 2 };
 bool scenes_ask(asked *q, unsigned kinds, size_t terrain, scene_answer *ask);
-
-/* Whether the goals are about the mesh of this name. */
-bool scene_has_goals(const char *name);
 
 /* The length of the longest side of its box. */
 double scene_extent(const scene *at);

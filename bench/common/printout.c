@@ -231,12 +231,6 @@ void printout_note(printout *r, const char *text, ...)
     json_close(&r->to);
 }
 
-void printout_goal(printout *r, const char *what, bool is_most, double goal, double reached)
-{
-    ROW(r, TEXT("is", (is_most ? reached <= goal : reached >= goal) ? "reached" : "NOT reached"),
-        TEXT("bound", is_most ? "at most" : "at least"), NUMBER("goal", 2, goal), NUMBER("here", 2, reached), TEXT("what", what));
-}
-
 void printout_disturbed(printout *r, const samples *taken)
 {
     const size_t disturbed = measure_disturbed(taken);

@@ -62,9 +62,6 @@ void printout_row(printout *r);
 /* A line below the table. */
 __attribute__((format(printf, 2, 3))) void printout_note(printout *r, const char *text, ...);
 
-/* A row of a table of what was to be reached. is_most: the goal is the most that it may be, not the least that it should be. */
-void printout_goal(printout *r, const char *what, bool is_most, double goal, double reached);
-
 /* Says so where other work took turns on the core: a quiet machine repeats a contestant to a few percent. */
 void printout_disturbed(printout *r, const samples *taken);
 

@@ -307,20 +307,13 @@ static void field_time(field *f, size_t rounds, size_t linear_boxes, generator *
 
 /* ---- tables ---- */
 
-enum { SKIPPED = 77, PEER_SIZES = 7, RESULTS_MAX = MESH_LIST_MAX + 1 };
+enum { SKIPPED = 77, PEER_SIZES = 7 };
 
 /* Edges of the boxes, as parts of the greatest extent. */
 static const double peer_part[PEER_SIZES] = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.5};
 
 /* A linear pass has as many boxes as there is time for. */
 static const size_t linear_pairs = 100000000, verified_pairs = 5000000;
-
-typedef struct peers_result {
-    const char *name;
-    size_t entrant_count;
-    entrant entrants[FIELD_MAX]; /* by name alone: their peers may be gone */
-    double us[PEER_SIZES][FIELD_MAX];
-} peers_result;
 
 /* Exact peers may not differ; the index has no excuse, as CGAL and Embree have none. */
 static bool are_answers_right(const field *f, const peer_errors unlike[PEERS_MAX])
@@ -335,29 +328,27 @@ static bool are_answers_right(const field *f, const peer_errors unlike[PEERS_MAX
     return is_right;
 }
 
-/* Whom an entrant is compared with: list and linear with list, any with any. */
-static double times_own(const peers_result *r, int size, size_t e)
+/* List and linear are compared with the list of the index, any with its any. */
+static void tell_size(printout *out, const field *f, int size, const double us[FIELD_MAX])
 {
-    return r->us[size][e] / r->us[size][r->entrants[e].is_any ? ENTRANT_ANY : ENTRANT_LIST];
+    entrant entrants[FIELD_MAX];
+    const size_t count = field_entrants(f, entrants);
+    const double hits = (double)f->start[f->box_count] / (double)f->box_count;
+    for (size_t e = 0; e < count; e++)
+        ROW(out, TEXT("contestant", entrants[e].name), TEXT_DATA("scene", f->scene->name),
+            NUMBER("box_%", 1, 100 * peer_part[size]), NUMBER("hits", 1, hits), NUMBER("us", 2, us[e]),
+            NUMBER("times", 1, us[e] / us[entrants[e].is_any ? ENTRANT_ANY : ENTRANT_LIST]));
 }
 
-static void tell_size(printout *out, const peers_result *r, int size, double hits)
+static bool run_size(asked *q, field *f, int size, tribox_box *boxes, size_t count, peer_errors unlike[PEERS_MAX])
 {
-    for (size_t e = 0; e < r->entrant_count; e++) {
-        ROW(out, TEXT("contestant", r->entrants[e].name), TEXT_DATA("scene", r->name), NUMBER("box_%", 1, 100 * peer_part[size]),
-            NUMBER("hits", 1, hits), NUMBER("us", 2, r->us[size][e]), NUMBER("times", 1, times_own(r, size, e)));
-    }
-}
-
-static bool run_size(asked *q, field *f, int size, tribox_box *boxes, size_t count, peers_result *r, peer_errors unlike[PEERS_MAX])
-{
+    double us[FIELD_MAX];
     scene_boxes(f->scene, peer_part[size], count, q->seed + (uint64_t)size, boxes);
     if (!field_answer(f, boxes, count, scene_boxes_within(f->scene, verified_pairs, count), unlike))
         return false;
     if (!asked_has(q, OPTION_VERIFY)) {
-        field_time(f, (size_t)asked_number(q, OPTION_ROUNDS, 9), scene_boxes_within(f->scene, linear_pairs, count), &q->order,
-                   r->us[size]);
-        tell_size(&q->out, r, size, (double)f->start[count] / (double)count);
+        field_time(f, (size_t)asked_number(q, OPTION_ROUNDS, 9), scene_boxes_within(f->scene, linear_pairs, count), &q->order, us);
+        tell_size(&q->out, f, size, us);
     }
     return are_answers_right(f, unlike);
 }
@@ -375,23 +366,19 @@ static void tell_errors(printout *out, const field *f, size_t boxes, size_t hits
     }
 }
 
-static peers_result all_results[RESULTS_MAX];
-
 static bool run_scene(asked *q, scene *at, size_t number)
 {
-    peers_result *const r = &all_results[number];
+    (void)number;
     const size_t count = (size_t)asked_number(q, OPTION_BOXES, asked_has(q, OPTION_VERIFY) ? 5 : 50);
     field f;
     peer_errors unlike[PEERS_MAX] = {{0}};
     size_t hits = 0;
     tribox_box *const boxes = asked_allocate(count, sizeof *boxes);
     bool is_run = field_make(at, count, &f);
-    r->name = at->name;
-    r->entrant_count = field_entrants(&f, r->entrants);
     if (is_run && !asked_has(q, OPTION_VERIFY))
-        printout_table(&q->out, "%s: %zu triangles; seconds to build the index %.3f", r->name, at->work.pairs, f.seconds);
+        printout_table(&q->out, "%s: %zu triangles; seconds to build the index %.3f", at->name, at->work.pairs, f.seconds);
     for (int size = 0; is_run && size < PEER_SIZES; size++) {
-        is_run = run_size(q, &f, size, boxes, count, r, unlike);
+        is_run = run_size(q, &f, size, boxes, count, unlike);
         hits += is_run ? f.start[count] : 0;
     }
     if (is_run)
@@ -400,83 +387,10 @@ static bool run_scene(asked *q, scene *at, size_t number)
     return is_run;
 }
 
-/* ---- goals ----------------------------------------------------------------------------------------------------------------- */
-
-/* Goals are about four of the sizes. */
-enum { GOAL_SIZES = 4 };
-static const int goal_size[GOAL_SIZES] = {0, 2, 4, 6};
-
-static const struct peer_goal {
-    const char *name;
-    double times[GOAL_SIZES];
-} goals[] = {{"CGAL", {15, 40, 150, 300}}, {"Embree", {4, 6, 15, 25}}, {"Embree+", {4, 6, 15, 25}}, {"linear", {200, 60, 12, 5}}};
-
-static const double any_times = 4;
-
-static size_t entrant_called(const peers_result *r, const char *name, bool is_any)
-{
-    size_t e = 0;
-    for (; e < r->entrant_count; e++)
-        if (!strncmp(r->entrants[e].name, name, strlen(name)) && r->entrants[e].is_any == is_any)
-            break;
-    return e;
-}
-
-/* The geometric mean over the meshes that count; NaN where there are none. */
-static double mean_times(const peers_result *results, size_t count, const char *name, int size)
-{
-    double logarithm = 0;
-    size_t found = 0;
-    for (size_t r = 0; r < count; r++) {
-        const size_t e = entrant_called(&results[r], name, false);
-        if (!scene_has_goals(results[r].name) || e == results[r].entrant_count)
-            continue;
-        logarithm += log(times_own(&results[r], size, e));
-        found++;
-    }
-    return found ? exp(logarithm / (double)found) : (double)NAN;
-}
-
-static void tell_any(printout *out, const peers_result *r)
-{
-    const size_t e = entrant_called(r, "CGAL", true);
-    char what[96];
-    double logarithm = 0, least = INFINITY;
-    if (e == r->entrant_count)
-        return;
-    for (int size = 0; size < PEER_SIZES; size++) {
-        logarithm += log(times_own(r, size, e)) / PEER_SIZES;
-        least = fmin(least, times_own(r, size, e));
-    }
-    snprintf(what, sizeof what, "any: times CGAL, mean of all sizes, %.40s", r->name);
-    printout_goal(out, what, false, any_times, exp(logarithm));
-    snprintf(what, sizeof what, "any: times CGAL, the least of all sizes, %.40s", r->name);
-    printout_goal(out, what, false, any_times, least);
-}
-
-static void tell_goals(printout *out, const peers_result *results, size_t count)
-{
-    char what[96];
-    printout_table(out, "goals");
-    for (size_t g = 0; g < sizeof goals / sizeof goals[0]; g++)
-        for (int k = 0; k < GOAL_SIZES; k++) {
-            const double mean = mean_times(results, count, goals[g].name, goal_size[k]);
-            snprintf(what, sizeof what, "list: times %s, boxes of %.1f %%, mean of meshes", goals[g].name,
-                     100 * peer_part[goal_size[k]]);
-            if (!isnan(mean))
-                printout_goal(out, what, false, goals[g].times[k], mean);
-        }
-    for (size_t r = 0; r < count; r++)
-        tell_any(out, &results[r]);
-}
-
 static bool answer(asked *q)
 {
     const size_t terrain = (size_t)asked_number(q, OPTION_TERRAIN, asked_has(q, OPTION_VERIFY) ? 20000 : 0);
-    const bool is_right = scenes_ask(q, SCENES_USUAL, terrain, run_scene);
-    if (is_right && !asked_has(q, OPTION_VERIFY))
-        tell_goals(&q->out, all_results, q->meshes.count + (terrain > 0));
-    return is_right;
+    return scenes_ask(q, SCENES_USUAL, terrain, run_scene);
 }
 
 int main(int argc, char **argv)
