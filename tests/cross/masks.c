@@ -1,15 +1,15 @@
 /*
  * masks.c - digests of the answers to every scene: what is EXACT has the same ones on every processor, whatever compiled it.
  *
- * Every kernel that runs here is compared word for word: EXACT with the scalar kernel, FAST and CONSERVATIVE with the first kernel
- * of the same rounding. Depends on nothing.
+ * After each round the kernels that run here have the same digests: of EXACT all, of FAST and CONSERVATIVE those of one rounding.
+ * Depends on nothing.
  *
  *   masks [options of arguments.h]          prints a line for each scene: digests of what is drawn, of EXACT, and of CONSERVATIVE
  *                                           and FAST, of kernels that round twice and of those that round once
  *   masks FILE [options of arguments.h]     compares them with the lines of the file instead
- *   masks parts [options of arguments.h]    prints besides the digests of every call, after each round: where a line of the file
- *                                           differs, the first difference from what this prints elsewhere, or of an older library,
- *                                           tells round and call; `--scenes NAME` keeps it short
+ *   masks parts [options of arguments.h]    prints besides the digests of every call and kernel, after each round: where a line of
+ *                                           the file differs, the first difference from what this prints elsewhere, or of an older
+ *                                           library, tells round and call; `--scenes NAME` keeps it short
  *
  * The first form, and after it the first form with --short, write masks.txt: emulated processors take a tenth of the pairs. Other
  * scenes or tighter margins need it rewritten; but a new margin may change the last two digests of a line alone.
@@ -26,7 +26,7 @@
 #include "masks_f64.h"
 #include "common/kernels_here.h"
 
-enum { PAIRS_A_ROUND = 10000, SELDOM = 5 /* rounds to those that ask what takes long */, WORDS_MAX = 1200 };
+enum { PAIRS_A_ROUND = 10000, SELDOM = 5 /* rounds to those that ask what takes long */ };
 
 static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
 enum { ORDERS = sizeof orders / sizeof orders[0] };
@@ -65,24 +65,7 @@ typedef struct round_of_scene {
     tribox_grid grid;
 } round_of_scene;
 
-/* Masks and statuses, one after the other. */
-typedef struct answers {
-    uint64_t word[WORDS_MAX];
-    size_t count;
-} answers;
-
-static uint64_t *take_words(answers *to, size_t count)
-{
-    uint64_t *const words = to->word + to->count;
-    to->count += count;
-    if (to->count > WORDS_MAX) {
-        fputs("masks.c: WORDS_MAX is too small\n", stderr);
-        exit(2);
-    }
-    return memset(words, 0, count * sizeof *words);
-}
-
-static void put_status(answers *to, tribox_status status) { *take_words(to, 1) = (uint64_t)status; }
+static void put_status(digest *to, tribox_status status) { digest_add(to, &(uint64_t){(uint64_t)status}, 1); }
 
 /* A grid about the box, whose rows take two words. Where it is too fine for double, the answer is TRIBOX_BAD_GRID. */
 static tribox_grid grid_about(const tribox_box *box)
@@ -164,21 +147,26 @@ static void digest_round(digest *d, const round_of_scene *round)
     digest_doubles_as_floats(d, round->grid.cell, 3);
 }
 
+enum { MASK = (SCENE_TRIANGLES + 63) / 64 };
+
 /* Triangles and boxes, and which triangles lie inside. */
-static void ask_pairs(const round_of_scene *round, const tribox_options *options, answers *to)
+static void ask_pairs(const round_of_scene *round, const tribox_options *options, digest *to)
 {
-    const size_t words = tribox_mask_words(round->soup.count);
-    uint64_t *const mask = take_words(to, words), *const inside = take_words(to, words);
-    put_status(to, tribox_classify(&round->soup, &round->box, options, mask, inside, NULL));
-    uint64_t *const boxes = take_words(to, tribox_mask_words(round->boxes.count));
-    put_status(to, tribox_overlap_boxes((const float *)round->triangle, &round->boxes, options, boxes, NULL));
+    uint64_t mask[MASK] = {0}, inside[MASK] = {0}, boxes[MASK] = {0};
+    const tribox_status status = tribox_classify(&round->soup, &round->box, options, mask, inside, NULL);
+    digest_add(to, mask, tribox_mask_words(round->soup.count));
+    digest_add(to, inside, tribox_mask_words(round->soup.count));
+    put_status(to, status);
+    const tribox_status of_boxes = tribox_overlap_boxes((const float *)round->triangle, &round->boxes, options, boxes, NULL);
+    digest_add(to, boxes, tribox_mask_words(round->boxes.count));
+    put_status(to, of_boxes);
 }
 
 /*
  * The same triangles by index, the last vertex first, or as nine floats each; a vertex is three floats, or four, one of them
  * unused.
  */
-static void ask_meshes(const round_of_scene *round, const tribox_options *options, answers *to)
+static void ask_meshes(const round_of_scene *round, const tribox_options *options, digest *to)
 {
     static float positions[3 * SCENE_TRIANGLES][4];
     uint16_t narrow[3 * SCENE_TRIANGLES];
@@ -201,34 +189,41 @@ static void ask_meshes(const round_of_scene *round, const tribox_options *option
                                                                   : NULL,
                                       .index_bytes = index_bytes,
                                       .count = count};
-            uint64_t *const mask = take_words(to, tribox_mask_words(count));
-            put_status(to, tribox_mesh_overlap(&mesh, &round->box, options, mask, NULL));
+            uint64_t mask[MASK] = {0};
+            const tribox_status status = tribox_mesh_overlap(&mesh, &round->box, options, mask, NULL);
+            digest_add(to, mask, tribox_mask_words(count));
+            put_status(to, status);
         }
 }
 
-static void ask_oriented(const round_of_scene *round, const tribox_options *options, answers *to)
+static void ask_oriented(const round_of_scene *round, const tribox_options *options, digest *to)
 {
-    uint64_t *const mask = take_words(to, tribox_mask_words(round->soup.count));
-    put_status(to, tribox_overlap_oriented(&round->soup, &round->oriented, options, mask, NULL));
+    uint64_t mask[MASK] = {0};
+    const tribox_status status = tribox_overlap_oriented(&round->soup, &round->oriented, options, mask, NULL);
+    digest_add(to, mask, tribox_mask_words(round->soup.count));
+    put_status(to, status);
 }
 
-static void ask_voxels(const round_of_scene *round, const tribox_options *options, answers *to)
+enum { CELLS = 70 * 6 * 5, GRID_WORDS = 2 * 6 * 5 };
+
+static void ask_voxels(const round_of_scene *round, const tribox_options *options, digest *to)
 {
-    uint64_t *const occupied = take_words(to, tribox_window_words(round->grid.size));
-    put_status(to, tribox_voxelize(&round->soup, &round->grid, NULL, options, occupied, NULL));
+    uint64_t occupied[GRID_WORDS] = {0};
+    const tribox_status status = tribox_voxelize(&round->soup, &round->grid, NULL, options, occupied, NULL);
+    digest_add(to, occupied, GRID_WORDS);
+    put_status(to, status);
 }
 
 /* Of each cell that is set, two ids in a word. */
-static void ask_ids(const round_of_scene *round, const tribox_options *options, answers *to)
+static void ask_ids(const round_of_scene *round, const tribox_options *options, digest *to)
 {
-    enum { CELLS = 70 * 6 * 5 };
     uint32_t ids[CELLS];
-    uint64_t occupied[2 * 6 * 5] = {0};
+    uint64_t occupied[GRID_WORDS] = {0}, words[CELLS / 2] = {0};
     put_status(to, tribox_voxelize_ids(&round->soup, 0, &round->grid, NULL, options, occupied, ids, NULL));
-    uint64_t *const words = take_words(to, CELLS / 2);
     for (size_t n = 0; n < CELLS; n++)
         if (occupied[n / 70 * 2 + n % 70 / 64] >> n % 70 % 64 & 1)
             words[n / 2] |= (uint64_t)(ids[n] + 1) << n % 2 * 32;
+    digest_add(to, words, CELLS / 2);
 }
 
 /* More triangles than a node of the lowest level has: those of the round, over and over, some of them with a NaN. */
@@ -250,7 +245,7 @@ static tribox_soup repeated(const round_of_scene *round)
 }
 
 /* The nodes over many triangles, number by number, as the order of their bytes is the processor's. */
-static void build_index(const round_of_scene *round, const tribox_options *options, answers *to)
+static void build_index(const round_of_scene *round, const tribox_options *options, digest *to)
 {
     static tribox_node nodes[NODES];
     const tribox_soup soup = repeated(round);
@@ -260,160 +255,105 @@ static void build_index(const round_of_scene *round, const tribox_options *optio
     }
     put_status(to, tribox_index_build(&(tribox_index){.soup = &soup}, options, nodes));
     for (size_t n = 0; n < NODES; n++) {
-        uint64_t *const bounds = take_words(to, 6 * 32), *const whole = take_words(to, 1);
+        uint64_t bounds[6 * 32] = {0}, whole = nodes[n].whole;
         for (size_t k = 0; k < 6 * 64; k++) {
             uint32_t bits;
             memcpy(&bits, &nodes[n].bound[k / 64][k % 64], sizeof bits);
             bounds[k / 2] |= (uint64_t)bits << 32 * (k % 2);
         }
-        *whole = nodes[n].whole;
+        digest_add(to, bounds, 6 * 32);
+        digest_add(to, &whole, 1);
     }
 }
 
-static void put_numbers(answers *to, const uint32_t *numbers, size_t count)
+static void put_numbers(digest *to, const uint32_t *numbers, size_t count)
 {
     for (size_t k = 0; k < count; k++)
-        *take_words(to, 1) = numbers[k];
+        digest_add(to, &(uint64_t){numbers[k]}, 1);
 }
 
 /* All forms of one question, and the starts of many lists. */
-static void ask_index(const round_of_scene *round, const tribox_options *options, answers *to)
+static void ask_index(const round_of_scene *round, const tribox_options *options, digest *to)
 {
     static tribox_node nodes[NODES];
-    uint32_t number[WORDS_MAX];
+    uint32_t number[SCENE_TRIANGLES];
+    uint64_t mask[MASK] = {0}, bits[MASK] = {0}, inside[MASK] = {0}, oriented[MASK] = {0};
     size_t found, start[SCENE_TRIANGLES + 1];
     const size_t words = tribox_mask_words(round->soup.count);
-    tribox_index index = {.nodes = nodes, .soup = &round->soup};
+    const tribox_region box = {.box = &round->box}, turned = {.oriented = &round->oriented};
+    const tribox_index index = {.nodes = nodes, .soup = &round->soup};
     build_index(round, options, to);
     put_status(to, tribox_index_build(&index, options, nodes));
-    uint64_t *const mask = take_words(to, words), *const bits = take_words(to, words), *const inside = take_words(to, words);
-    put_status(to, tribox_index_overlap(&index, &(tribox_region){.box = &round->box}, options, mask, NULL));
-    put_status(
-        to, tribox_index_words(&index, &(tribox_region){.box = &round->box}, options, words, number, bits, inside, &found, NULL));
+    const tribox_status overlap = tribox_index_overlap(&index, &box, options, mask, NULL);
+    const tribox_status of_words = tribox_index_words(&index, &box, options, words, number, bits, inside, &found, NULL);
+    digest_add(to, mask, words);
+    digest_add(to, bits, words);
+    digest_add(to, inside, words);
+    put_status(to, overlap);
+    put_status(to, of_words);
     put_numbers(to, number, found);
-    put_status(to, tribox_index_list(&index, &(tribox_region){.box = &round->box}, options, WORDS_MAX, number, &found));
+    put_status(to, tribox_index_list(&index, &box, options, SCENE_TRIANGLES, number, &found));
     put_numbers(to, number, found);
-    put_status(to, tribox_index_any(&index, &(tribox_region){.box = &round->box}, options, &found));
-    *take_words(to, 1) = found;
-    uint64_t *const oriented = take_words(to, words);
-    put_status(to, tribox_index_overlap(&index, &(tribox_region){.oriented = &round->oriented}, options, oriented, NULL));
-    put_status(to, tribox_index_list(&index, &(tribox_region){.oriented = &round->oriented}, options, WORDS_MAX, number, &found));
+    put_status(to, tribox_index_any(&index, &box, options, &found));
+    digest_add(to, &(uint64_t){found}, 1);
+    const tribox_status of_turned = tribox_index_overlap(&index, &turned, options, oriented, NULL);
+    digest_add(to, oriented, words);
+    put_status(to, of_turned);
+    put_status(to, tribox_index_list(&index, &turned, options, SCENE_TRIANGLES, number, &found));
     put_numbers(to, number, found);
     put_status(to, tribox_index_lists(&index, &round->boxes, options, 0, NULL, start));
     for (size_t b = 0; b <= round->boxes.count; b++)
-        *take_words(to, 1) = start[b];
-}
-
-typedef void ask(const round_of_scene *round, const tribox_options *options, answers *to);
-
-static answers answers_of(ask *asks, const round_of_scene *round, tribox_options options, const char *kernel)
-{
-    answers got = {.count = 0};
-    options.kernel = kernel;
-    asks(round, &options, &got);
-    return got;
+        digest_add(to, &(uint64_t){start[b]}, 1);
 }
 
 /* What is asked at the moment, for the message. */
 static const char *scene_name;
 static size_t round_number;
 
-static void die(const char *kernel, const tribox_options *options, const char *how, const char *other)
+static void die(const char *kernel, const char *whom)
 {
-    fprintf(stderr, "scene %s, round %zu: kernel %s at accuracy %d, axes %u, order %u %s %s\n", scene_name, round_number, kernel,
-            (int)options->accuracy, options->axes, options->axis_order, how, other);
+    fprintf(stderr, "scene %s, round %zu: kernel %s answers otherwise than %s\n", scene_name, round_number, kernel, whom);
     exit(1);
 }
 
-static void demand_equal(const answers *expected, const char *other, const answers *got, const char *kernel,
-                         const tribox_options *options)
-{
-    if (got->count != expected->count || memcmp(got->word, expected->word, got->count * sizeof *got->word))
-        die(kernel, options, "answers otherwise than", other);
-}
-
-/* EXACT answers, the same from every kernel. */
-static answers exact_answers(ask *asks, const round_of_scene *round, unsigned axes, unsigned order)
-{
-    const tribox_options options = {.axes = axes, .axis_order = order};
-    const answers expected = answers_of(asks, round, options, names[0]);
-    for (int k = 1; k < kernels; k++) {
-        const answers got = answers_of(asks, round, options, names[k]);
-        demand_equal(&expected, names[0], &got, names[k], &options);
-    }
-    return expected;
-}
-
-static void add_answers(digest *d, const answers *from) { digest_add(d, from->word, from->count); }
-
 /* Every set of axes, in every order. */
-static void ask_axes(const round_of_scene *round, digest *d)
+static void ask_axes(const round_of_scene *round, const char *kernel, digest *d)
 {
     for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
-        const answers expected = exact_answers(ask_pairs, round, axes, 0);
+        digest expected = *d;
+        ask_pairs(round, &(tribox_options){.axes = axes, .kernel = kernel}, &expected);
         for (size_t o = 0; o < ORDERS; o++) {
-            const answers got = exact_answers(ask_pairs, round, axes, orders[o]);
-            demand_equal(&expected, "in the default order", &got, names[0],
-                         &(tribox_options){.axes = axes, .axis_order = orders[o]});
+            digest got = *d;
+            ask_pairs(round, &(tribox_options){.axes = axes, .axis_order = orders[o], .kernel = kernel}, &got);
+            if (got != expected)
+                die(kernel, "in another order of the axes");
         }
-        add_answers(d, &expected);
+        *d = expected;
     }
-}
-
-static void demand_no_miss(const answers *exact, const answers *got, const char *kernel, const tribox_options *options)
-{
-    for (size_t i = 0; i < exact->count; i++)
-        if (exact->word[i] & ~got->word[i])
-            die(kernel, options, "misses what", "EXACT has");
-}
-
-/* CONSERVATIVE or FAST, of the kernels that round once or of those that round twice. */
-static void ask_rounded(const round_of_scene *round, tribox_accuracy accuracy, bool is_fused, const answers *exact, digest *d)
-{
-    const tribox_options options = {.accuracy = accuracy};
-    const char *first = NULL;
-    answers expected = {.count = 0};
-    for (int k = 0; k < kernels; k++) {
-        if (kernel_is_fused(names[k]) != is_fused)
-            continue;
-        answers got = answers_of(ask_pairs, round, options, names[k]);
-        if (accuracy == TRIBOX_CONSERVATIVE)
-            demand_no_miss(exact, &got, names[k], &options);
-        if (first)
-            demand_equal(&expected, first, &got, names[k], &options);
-        else
-            expected = got;
-        first = first ? first : names[k];
-    }
-    add_answers(d, &expected);
 }
 
 /* FAST promises something for |coordinate| <= 2^40; beyond, what a NaN comes to depends on the kernel. */
 static bool is_in_fast_range(const scene *s) { return !strcmp(s->family, "ordinary") || !strcmp(s->family, "contact"); }
 
-static void ask_round(const round_of_scene *round, const scene *s, digest digests[PARTS])
+static void ask_round(const round_of_scene *round, const scene *s, const char *kernel, digest digests[PARTS])
 {
-    const answers exact = exact_answers(ask_pairs, round, 0, 0), voxels = exact_answers(ask_voxels, round, 0, 0);
-    const answers ids = exact_answers(ask_ids, round, 0, 0), oriented = exact_answers(ask_oriented, round, 0, 0);
-    const answers meshes = exact_answers(ask_meshes, round, 0, 0);
-    if (memcmp(meshes.word, exact.word, tribox_mask_words(round->soup.count) * sizeof *meshes.word))
-        die(names[0], &(tribox_options){.axes = 0}, "answers otherwise than for streams, for", "meshes");
+    const tribox_options exact = {.kernel = kernel};
+    const tribox_options conservative = {.accuracy = TRIBOX_CONSERVATIVE, .kernel = kernel};
+    const tribox_options fast = {.accuracy = TRIBOX_FAST, .kernel = kernel};
+    const bool is_fused = kernel_is_fused(kernel);
     digest_round(&digests[DRAWN], round);
-    add_answers(&digests[EXACT], &exact);
-    add_answers(&digests[MESHES], &meshes);
-    add_answers(&digests[VOXELS], &voxels);
-    add_answers(&digests[IDS], &ids);
-    add_answers(&digests[ORIENTED], &oriented);
+    ask_pairs(round, &exact, &digests[EXACT]);
+    ask_meshes(round, &exact, &digests[MESHES]);
+    ask_voxels(round, &exact, &digests[VOXELS]);
+    ask_ids(round, &exact, &digests[IDS]);
+    ask_oriented(round, &exact, &digests[ORIENTED]);
     if (round_number % SELDOM == 0) {
-        const answers index = exact_answers(ask_index, round, 0, 0);
-        add_answers(&digests[INDEX], &index);
-        ask_axes(round, &digests[AXES]);
+        ask_index(round, &exact, &digests[INDEX]);
+        ask_axes(round, kernel, &digests[AXES]);
     }
-    for (int is_fused = 0; is_fused < 2; is_fused++) {
-        ask_rounded(round, TRIBOX_CONSERVATIVE, is_fused, &exact, &digests[is_fused ? CONSERVATIVE_ONCE : CONSERVATIVE_TWICE]);
-        if (is_in_fast_range(s))
-            ask_rounded(round, TRIBOX_FAST, is_fused, &exact, &digests[is_fused ? FAST_ONCE : FAST_TWICE]);
-    }
+    ask_pairs(round, &conservative, &digests[is_fused ? CONSERVATIVE_ONCE : CONSERVATIVE_TWICE]);
+    if (is_in_fast_range(s))
+        ask_pairs(round, &fast, &digests[is_fused ? FAST_ONCE : FAST_TWICE]);
 }
 
 /* The file to compare with, if any, and what came of it. */
@@ -473,25 +413,49 @@ static void tell_scene(const char *name, const digest digests[PARTS])
 /* The digests so far, one a line. */
 static bool has_parts;
 
-static void tell_parts(const char *name, const digest digests[PARTS])
+static void tell_parts(const char *name, const char *kernel, const digest digests[PARTS])
 {
     for (part p = 0; has_parts && p < PARTS; p++)
         if (digests[p] != digest_start)
-            printf("%s round %zu %s %016" PRIx64 "\n", name, round_number, part_names[p], digests[p]);
+            printf("%s round %zu %s %s %016" PRIx64 "\n", name, round_number, kernel, part_names[p], digests[p]);
+}
+
+/* Those of a kernel that others have too are the same. */
+static void join_digests(const char *kernel, const digest of_kernel[PARTS], digest digests[PARTS])
+{
+    for (part p = 0; p < PARTS; p++) {
+        if (digests[p] == digest_start)
+            digests[p] = of_kernel[p];
+        if (of_kernel[p] != digest_start && of_kernel[p] != digests[p]) {
+            fprintf(stderr, "%s: ", part_names[p]);
+            die(kernel, "another one before it");
+        }
+    }
+}
+
+static void begin_digests(digest digests[PARTS])
+{
+    for (part p = 0; p < PARTS; p++)
+        digests[p] = digest_start;
 }
 
 static void ask_scene(const scene *s, const arguments *args)
 {
     static round_of_scene round;
     random_source r = random_named(args->seed, s->name);
-    digest digests[PARTS];
-    for (part p = 0; p < PARTS; p++)
-        digests[p] = digest_start;
+    digest digests[PARTS], of_kernel[KERNELS_MAX][PARTS];
+    begin_digests(digests);
+    for (int k = 0; k < kernels; k++)
+        begin_digests(of_kernel[k]);
     scene_name = s->name;
     for (round_number = 0; round_number < args->pairs / PAIRS_A_ROUND; round_number++) {
         draw_round(&r, s, &round);
-        ask_round(&round, s, digests);
-        tell_parts(s->name, digests);
+        begin_digests(digests);
+        for (int k = 0; k < kernels; k++) {
+            ask_round(&round, s, names[k], of_kernel[k]);
+            tell_parts(s->name, names[k], of_kernel[k]);
+            join_digests(names[k], of_kernel[k], digests);
+        }
     }
     tell_scene(s->name, digests);
 }
@@ -501,15 +465,14 @@ static void ask_doubles(const scene_f64 *s, const arguments *args)
 {
     char name[64];
     digest digests[PARTS];
-    for (part p = 0; p < PARTS; p++)
-        digests[p] = digest_start;
+    begin_digests(digests);
     const digests_f64 of = digests_f64_of(s, args->seed, args->pairs / PAIRS_A_ROUND);
     digests[DRAWN] = of.drawn;
     digests[EXACT] = of.exact;
     digests[AXES] = of.axes;
     digests[MESHES] = of.meshes;
     snprintf(name, sizeof name, "f64-%s", s->name);
-    tell_parts(name, digests);
+    tell_parts(name, "all", digests);
     tell_scene(name, digests);
 }
 

@@ -50,21 +50,6 @@ static void digest_doubles(digest *d, const double *numbers, size_t count)
     }
 }
 
-typedef struct answer {
-    uint64_t mask[WORDS], inside[WORDS];
-} answer;
-
-static answer answer_of(const laid *l, int layout, const tribox_options *options)
-{
-    answer got;
-    const tribox_status status = tribox_mesh_classify(&l->mesh[layout], &l->batch->box, options, got.mask, got.inside, NULL);
-    if (status) {
-        fprintf(stderr, "doubles: kernel %s says: %s\n", options->kernel, tribox_status_text(status));
-        exit(1);
-    }
-    return got;
-}
-
 static void die(const char *scene, const tribox_options *options, const char *how)
 {
     fprintf(stderr, "scene %s of doubles: kernel %s at accuracy %d, axes %u %s\n", scene, options->kernel, (int)options->accuracy,
@@ -72,54 +57,59 @@ static void die(const char *scene, const tribox_options *options, const char *ho
     exit(1);
 }
 
-/* EXACT from every kernel and in every layout; CONSERVATIVE misses nothing of it. */
-static answer exact_answer(const char *scene, const laid *l, unsigned axes)
+/* Masks of what overlaps and of what is inside: EXACT, of which CONSERVATIVE misses nothing, asked in the first layout alone. */
+static void ask_masks(const char *scene, const tribox_mesh *mesh, const tribox_box *box, tribox_options o, digest *to)
+{
+    uint64_t mask[WORDS], inside[WORDS], more[WORDS];
+    tribox_status status = tribox_mesh_classify(mesh, box, &o, mask, inside, NULL);
+    memcpy(more, mask, sizeof more);
+    o.accuracy = TRIBOX_CONSERVATIVE;
+    if (!status && !mesh->indices && !mesh->axis_stride)
+        status = tribox_mesh_overlap(mesh, box, &o, more, NULL);
+    if (status)
+        die(scene, &o, "is refused");
+    for (int w = 0; w < WORDS; w++)
+        if (mask[w] & ~more[w])
+            die(scene, &o, "misses what EXACT has");
+    digest_add(to, mask, WORDS);
+    if (o.axes == TRIBOX_AXES_ALL)
+        digest_add(to, inside, WORDS);
+}
+
+/* The bits of streams relative to the box. */
+static void ask_streams(const char *scene, const tribox_mesh *mesh, const tribox_box *box, tribox_options o, digest *to)
+{
+    static float stream[9][BATCH_F64];
+    float *rows[9];
+    digest d = digest_start;
+    for (int s = 0; s < 9; s++)
+        rows[s] = stream[s];
+    if (tribox_mesh_to_soup(mesh, box->lo, 0, BATCH_F64, &o, rows, rows + 3, rows + 6))
+        die(scene, &o, "makes no local streams");
+    for (size_t n = 0; n < 9 * (size_t)BATCH_F64; n++) {
+        uint32_t bits;
+        memcpy(&bits, &stream[n / BATCH_F64][n % BATCH_F64], sizeof bits);
+        digest_add(&d, &(uint64_t){bits}, 1);
+    }
+    digest_add(to, &d, 1);
+}
+
+/* From every kernel and in every layout the same. */
+static void ask_all(const char *scene, const laid *l, unsigned axes,
+                    void ask(const char *, const tribox_mesh *, const tribox_box *, tribox_options, digest *), digest *to)
 {
     const char *names[KERNELS_MAX] = {NULL};
     const int kernels = kernels_here(names);
-    tribox_options options = {.axes = axes, .kernel = names[0]};
-    const answer expected = answer_of(l, 0, &options);
-    for (int k = 0; k < kernels; k++) {
-        options = (tribox_options){.axes = axes, .kernel = names[k]};
-        for (int layout = 0; layout < LAYOUTS; layout++) {
-            const answer got = answer_of(l, layout, &options);
-            if (memcmp(&got, &expected, sizeof got))
-                die(scene, &options, "answers otherwise than the scalar one");
-        }
-        options.accuracy = TRIBOX_CONSERVATIVE;
-        const answer got = answer_of(l, 0, &options);
-        for (int w = 0; w < WORDS; w++)
-            if (expected.mask[w] & ~got.mask[w])
-                die(scene, &options, "misses what EXACT has");
-    }
-    return expected;
-}
-
-/* The bits of streams relative to the box, the same of every layout and kernel. */
-static digest streams_digest(const char *scene, const laid *l)
-{
-    static float stream[9][BATCH_F64];
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
-    float *to[9];
-    digest first = 0;
-    for (int s = 0; s < 9; s++)
-        to[s] = stream[s];
+    digest first = *to;
     for (int k = 0; k < kernels * LAYOUTS; k++) {
-        const tribox_options options = {.kernel = names[k / LAYOUTS]};
-        digest d = digest_start;
-        if (tribox_mesh_to_soup(&l->mesh[k % LAYOUTS], l->batch->box.lo, 0, BATCH_F64, &options, to, to + 3, to + 6))
-            die(scene, &options, "makes no local streams");
-        for (size_t n = 0; n < 9 * (size_t)BATCH_F64; n++) {
-            uint32_t bits;
-            memcpy(&bits, &stream[n / BATCH_F64][n % BATCH_F64], sizeof bits);
-            digest_add(&d, &(uint64_t){bits}, 1);
-        }
-        first = k ? first : d;
-        if (d != first)
-            die(scene, &options, "makes other local streams");
+        const tribox_options options = {.axes = axes, .kernel = names[k / LAYOUTS]};
+        digest got = *to;
+        ask(scene, &l->mesh[k % LAYOUTS], &l->batch->box, options, &got);
+        first = k ? first : got;
+        if (got != first)
+            die(scene, &options, "answers otherwise than the scalar one");
     }
-    return first;
+    *to = first;
 }
 
 digests_f64 digests_f64_of(const scene_f64 *scene, uint64_t seed, size_t batches)
@@ -134,12 +124,9 @@ digests_f64 digests_f64_of(const scene_f64 *scene, uint64_t seed, size_t batches
         digest_doubles(&d.drawn, batch.u[0][0], 9 * (size_t)BATCH_F64);
         digest_doubles(&d.drawn, batch.box.lo, 3);
         digest_doubles(&d.drawn, batch.box.hi, 3);
-        const answer all = exact_answer(scene->name, &l, TRIBOX_AXES_ALL);
-        digest_add(&d.exact, all.mask, WORDS);
-        digest_add(&d.exact, all.inside, WORDS);
-        const answer fewer = exact_answer(scene->name, &l, 1 + (unsigned)(k % (TRIBOX_AXES_ALL - 1)));
-        digest_add(&d.axes, fewer.mask, WORDS);
-        digest_add(&d.meshes, &(uint64_t){streams_digest(scene->name, &l)}, 1);
+        ask_all(scene->name, &l, TRIBOX_AXES_ALL, ask_masks, &d.exact);
+        ask_all(scene->name, &l, 1 + (unsigned)(k % (TRIBOX_AXES_ALL - 1)), ask_masks, &d.axes);
+        ask_all(scene->name, &l, 0, ask_streams, &d.meshes);
     }
     return d;
 }
