@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the page and looks at it in chromium: run.sh [measure | pictures FOLDER | film FOLDER | PART...], PART as in test_PART.mjs.
+# Builds the page and looks at it in chromium: run.sh [pictures FOLDER | film FOLDER | PART...], PART as in test_PART.mjs.
 # TRIBOX_PROGRAM is the program whose answers the page's have to be. BUILD is a folder to build in, kept for the next time;
 # PAGE, a page that is built already; CHROMIUM, the browser. Without a program that this takes, the exit code is 77.
 set -eu
@@ -23,7 +23,6 @@ cd "$BUILD/browser"
 cp "$here/package.json" .
 npm install --loglevel=error --no-audit --no-fund --no-package-lock --prefer-offline
 case ${1:-} in
-measure) PLAYWRIGHT=$PWD node "$here/measure.mjs" ;;
 pictures | film) PLAYWRIGHT=$PWD node "$here/pictures.mjs" "$@" ;;
 *) PLAYWRIGHT=$PWD node "$here/run.mjs" "$@" ;;
 esac
