@@ -10,7 +10,7 @@ shift
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=${BUILD:-$root/build-fuzz}
-targets=${*:-triangles index cells grid files meshes command}
+targets=${*:-triangles index cells grid files meshes}
 
 # Kernels without forced inlining compile in seconds; counters of edges alone cost half of what comparisons would.
 # shellcheck disable=SC2086
@@ -44,7 +44,7 @@ fuzz()
 {
     mkdir -p "$corpus/$1"
     dictionary=
-    case $1 in files | meshes | command) dictionary=-dict=$build/tests/fuzz/seeds/words ;; esac
+    case $1 in files | meshes) dictionary=-dict=$build/tests/fuzz/seeds/words ;; esac
     seeds=$build/tests/fuzz/seeds/$1
     test ! -d "$here/found/$1" || seeds="$seeds $here/found/$1"
     cd "$TMPDIR"

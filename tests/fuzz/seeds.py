@@ -381,57 +381,12 @@ def meshes():
     return files
 
 
-def command():
-    lines = {
-        "overlap": "overlap a.ply --box 0,0,0,1,1,1",
-        "overlap_equals": "overlap --box=0,0,0,1,1,1 --accuracy=fast --axes=box,edges --order=312 --kernel=scalar a.ply",
-        "overlap_boxes": "overlap a.ply --boxes b.txt --json --list",
-        "overlap_streams": "overlap a.f32 --format f32 --box 0,0,0,1,1,1 --inside",
-        "overlap_oriented": "overlap a.ply --oriented 0,0,0,1,1,1,1,0,0,0,1,0,0,0,1",
-        "overlap_help": "overlap --help",
-        "overlap_twice": "overlap a.ply --json --json",
-        "overlap_no_box": "overlap a.ply",
-        "overlap_operands": "overlap -- --box a.ply",
-        "overlap_wrong_words": "overlap a.ply --accuracy good",
-        "overlap_wrong_axes": "overlap a.ply --axes box,,edges",
-        "overlap_wrong_order": "overlap a.ply --order 123456",
-        "overlap_wrong_kernel": "overlap a.ply --kernel mmx",
-        "voxelize": "voxelize a.ply --resolution 256 -o a.npy",
-        "voxelize_cell": "voxelize a.ply --cell 0.5,0.25,1e-3 --origin -100,-100,0 --size 400,400,200 -o a.raw --quiet",
-        "voxelize_shard": "voxelize a.ply --cell 2 --shard 3/8 -o a.npz --threads 2 --json",
-        "voxelize_preview": "voxelize a.ply --resolution 9 -o a.vox --preview a.png --up -z",
-        "voxelize_long_shard": "voxelize a.ply --resolution 9 --shard 0000000000000001/2 -o a.npz",
-        "voxelize_too_large": "voxelize a.ply --resolution 99999999999999999999 -o a.binvox",
-        "voxelize_negative": "voxelize a.ply --cell -1 -o a.npy",
-        "voxelize_count": "voxelize a.ply --cell 2 --count --json --threads 3",
-        "voxelize_count_out": "voxelize a.ply --cell 2 --count -o a.npz",
-        "voxelize_fill": "voxelize a.ply -r 9 --fill outside -o a.npz",
-        "voxelize_thin": "voxelize a.ply -r 9 --thin --fill parity -o a.npz",
-        "voxelize_labels": "voxelize a.ply -r 9 --fill outside --labels -o a.npz",
-        "voxelize_inside": "voxelize a.ply -r 9 --fill middles --inside-only -o a.npz",
-        "voxelize_fill_wrong": "voxelize a.ply -r 9 --fill inside -o a.npz",
-        "voxelize_fill_shard": "voxelize a.ply -r 9 --fill parity --shard 1/2 -o a.npz",
-        "voxelize_folder": "voxelize /tmp --shard 1/2 -o a.npz",
-        "voxelize_folder_grid": "voxelize /tmp -r 9 -o a.npz",
-        "partition": "partition a.ply --resolution 256 -o folder",
-        "partition_nothing": "partition a.ply --cell 1",
-        "merge": "merge a.npz b.npz -o c.npy",
-        "merge_nothing": "merge -o c.npy",
-        "merge_up": "merge a.npz -o c.vox --up y",
-    }
-    return {name: "\n".join(line.split(" ")).encode() + b"\n" for name, line in lines.items()}
-
-
-# Words of the formats that the program reads, and of its command line.
+# Words of the formats that the program reads.
 WORDS = ("ply\n|format ascii 1.0\n|format binary_little_endian 1.0\n|format binary_big_endian 1.0\n|element vertex |"
          "element face |element tristrips |property float x\n|property list uchar int vertex_indices\n|"
          "property list uint double vertex_index\n|uchar|uint64|end_header\n|end_header\r\n|OFF\n|STCN|v |f |vn |//|\\\n|solid |"
-         "facet|endsolid|18446744073709551615|4294967296|-1|1e39|0x1p-149|nan|inf|shard.npy|\x04\x03\x02\x01|overlap\n|"
-         "voxelize\n|merge\n|--box\n|--box=|--boxes\n|--oriented\n|--format\n|stl\n|f32\n|f64\n|--inside\n|--list\n|--json\n|"
-         "--accuracy\n|conservative\n|fast\n|--axes\n|box,plane,edges|--order\n|312\n|--kernel\n|scalar\n|--resolution\n|"
-         "--cell\n|--origin\n|--size\n|--shard\n|1/2\n|--threads\n|--preview\n|a.png\n|--up\n|-z\n|-o\n|a.npy\n|a.npz\n|"
-         "--quiet\n|--help\n|--\n").split("|")
-TARGETS = (triangles, index, cells, grid, files, meshes, command)
+         "facet|endsolid|18446744073709551615|4294967296|-1|1e39|0x1p-149|nan|inf|shard.npy|\x04\x03\x02\x01").split("|")
+TARGETS = (triangles, index, cells, grid, files, meshes)
 
 
 def main():

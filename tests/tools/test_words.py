@@ -2,6 +2,7 @@
 
 import json
 import os
+import random
 import re
 
 import harness
@@ -241,6 +242,20 @@ class Wrong(harness.TestCase):
             unknown = [("unknown option '%s'" % option, option)
                        for option in ("--tint", "-x", "--tint=red", "--jsonl", "--json2=1")]
             self.refuse(2, command, rows + unknown * (command != "sweep"), cwd=self.folder)
+
+    def test_any_words(self):
+        """Whatever they are, up to a mesh that is not there: an exit code, a line unless all went well, and no file."""
+        pick = random.Random(harness.SEED)
+        values = ("a.obj", "a.npz", "-", ".", UNIT_BOX, "1", "-1", "0" * 40 + "1/2", "box,,edges", "", "1e99", "--", "f32", "x.vox")
+        for _ in range(150):
+            command = pick.choice(("overlap", "voxelize", "merge", "partition", "info"))
+            options = OPTIONS[command].split()
+            words = [pick.choice((*values, *(pick.choice(options)[:pick.randint(3, 13)] + end for end in ("", "=1", "", ""))))
+                     for _ in range(pick.randrange(9))]
+            result = harness.run(command, *words, cwd=self.folder)
+            self.assertIn(result.code, (0, 1, 2), words)
+            self.assertRegex(result.stderr, r"\A(tribox[^\n]*: [^\n]+\n){%d,}\Z" % (result.code > 0), words)
+            self.assertEqual(self.there(), [], words)
 
     def test_numbers(self):
         for option, rows in NUMBERS.items():
