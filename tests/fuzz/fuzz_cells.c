@@ -32,9 +32,6 @@ typedef struct fuzz_case {
     size_t taken_cells, bricks, most;
 } fuzz_case;
 
-/* By the definition in tribox.h. */
-static double plane(const tribox_grid *grid, int a, uint32_t p) { return fma(p, grid->cell[a], grid->origin[a]); }
-
 /* Rows about a word, a brick and a tile; small grids where every cell is asked, which takes its time. */
 static tribox_grid draw_grid(input *in, bool is_small)
 {

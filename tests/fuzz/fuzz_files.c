@@ -194,14 +194,6 @@ static const struct {
     size_t head, record, numbers_at;
 } layouts[] = {[TRIANGLES_STL] = {84, 50, 12}, [TRIANGLES_F32] = {0, 36, 0}, [TRIANGLES_F64] = {0, 72, 0}};
 
-static uint64_t little(const uint8_t *from, size_t size)
-{
-    uint64_t bits = 0;
-    for (size_t i = size; i > 0; i--)
-        bits = bits << 8 | from[i - 1];
-    return bits;
-}
-
 /* Of a block: the numbers are those of the file. */
 static void check_block(bytes b, const triangle_file *file, float room[9][TRIANGLE_BLOCK], const double *doubles, size_t count)
 {
@@ -210,7 +202,8 @@ static void check_block(bytes b, const triangle_file *file, float room[9][TRIANG
         const size_t i = n / 9, k = n % 9, size = is_double ? 8 : 4;
         const uint8_t *const record =
             b.first + layouts[file->format].head + layouts[file->format].record * (file->taken - count + i);
-        const uint64_t expected = little(record + layouts[file->format].numbers_at + size * k, size);
+        const uint8_t *const at = record + layouts[file->format].numbers_at + size * k;
+        const uint64_t expected = is_double ? little_get64(at) : little_get32(at);
         uint32_t single;
         uint64_t bits;
         memcpy(&single, &room[k % 3 * 3 + k / 3][i], sizeof single);

@@ -8,8 +8,6 @@
 #include "lines.h"
 #include "write/voxels.h"
 
-static double plane(const tribox_grid *grid, int a, uint32_t p) { return fma(p, grid->cell[a], grid->origin[a]); }
-
 /* Floats, or doubles close to them. */
 static void draw_numbers(input *in, double numbers[3])
 {

@@ -168,6 +168,8 @@ things things_part(const things *t, size_t first, size_t count)
     return part;
 }
 
+double plane(const tribox_grid *grid, int a, uint32_t p) { return fma(p, grid->cell[a], grid->origin[a]); }
+
 bool are_finite(const double *numbers, int count)
 {
     for (int k = 0; k < count; k++)

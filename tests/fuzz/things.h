@@ -84,6 +84,9 @@ things things_part(const things *t, size_t first, size_t count);
 typedef const double (*corners)[3];
 static inline corners things_triangle(const things *t, size_t i) { return (corners)t->u[i / t->run % t->drawn]; }
 
+/* By the definition in tribox.h. */
+double plane(const tribox_grid *grid, int a, uint32_t p);
+
 bool are_finite(const double *numbers, int count);
 bool box_is_finite(const tribox_box *box);
 bool oriented_is_finite(const tribox_oriented_box *box);
