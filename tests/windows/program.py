@@ -17,6 +17,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tools"))
 import harness as support  # noqa: E402
 import triangles as meshes  # noqa: E402
+from harness import UNIT_BOX, read  # noqa: E402
 
 HERE, WINE, BUILD = map(os.path.abspath, sys.argv[1:4])
 NAMES = ("plain", "with a space", "h\u00e9 \u65e5\u672c", "\U0001f389 \u00df'%PATH%")
@@ -25,18 +26,10 @@ GRID = ("--cell", "0.0625", "--origin", "-2,-2,-2", "--size", "70,65,130")
 OF_THE_TIME = ("runs", "seconds", "ns_per_triangle", "total_seconds", "processor")
 
 
-def read(path):
-    with open(path, "rb") as file:
-        return file.read()
-
-
 class Windows(support.TestCase):
     def setUp(self):
         super().setUp()
         self.mesh = self.write("mesh.f32", meshes.pack_floats(TRIANGLES))
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
     def ask_both(self, *arguments, stdin=b""):
         """What both programs print, which is the same."""
@@ -69,8 +62,8 @@ class Answers(Windows):
         mesh = self.write("mesh.obj", meshes.obj(TRIANGLES[:300]))
         for path, stdin, form in ((mesh, b"", ()), ("-", meshes.stl_binary(TRIANGLES), ("--format", "stl")),
                                   ("-", read(self.mesh), ("--format", "f32"))):
-            self.assert_same("overlap", path, *form, "--box", support.UNIT_BOX, "--list", stdin=stdin)
-            here, there = map(json.loads, self.ask_both("overlap", path, *form, "--box", support.UNIT_BOX, "--json", stdin=stdin))
+            self.assert_same("overlap", path, *form, "--box", UNIT_BOX, "--list", stdin=stdin)
+            here, there = map(json.loads, self.ask_both("overlap", path, *form, "--box", UNIT_BOX, "--json", stdin=stdin))
             self.assertEqual(*({key: one[key] for key in one if key not in OF_THE_TIME} for one in (here, there)))
         self.assertIn(b"kernel", self.ask_both("overlap", mesh, "--box", "0.1,0.1,0.1,0.2,1e-7,3")[1])
 
@@ -78,14 +71,12 @@ class Answers(Windows):
         boxes = self.write("boxes.txt", "# two\r\n-0.5,-0.5,-0.5,0.5,0.5,0.5\r\n\r\n0 0 0 1 1 1\r\n")
         self.assertEqual(len(self.ask_both("overlap", self.mesh, "--boxes", boxes)[1].splitlines()), 2)
 
-    def test_each_way_of_testing(self):
-        for way in (("--kernel", "scalar"), ("--kernel", "sse2"), ("--accuracy", "fast"), ("--axes", "box"), ("--order", "321")):
-            self.assert_same("overlap", self.mesh, "--box", support.UNIT_BOX, "--list", *way)
-
-    def test_words(self):
-        for arguments in (("--version",), ("overlap", "--help"), ("info", "--js", "--json"), ("overlap", "m.obj", "--o", "1"),
-                          ("overlap", "--list=yes"), ("overlap", "m.obj", "--box"), ("overlap", "m.obj", "-lb", "1,2"), ("-x",),
-                          ()):
+    def test_words_and_ways_of_testing(self):
+        box = ("overlap", self.mesh, "--box", UNIT_BOX, "--list")
+        for arguments in ((*box, "--kernel", "scalar"), (*box, "--kernel", "sse2"), (*box, "--accuracy", "fast"),
+                          (*box, "--axes", "box"), (*box, "--order", "321"), ("--version",), ("overlap", "--help"),
+                          ("info", "--js", "--json"), ("overlap", "m.obj", "--o", "1"), ("overlap", "--list=yes"),
+                          ("overlap", "m.obj", "--box"), ("overlap", "m.obj", "-lb", "1,2"), ("-x",), ()):
             self.assert_same(*arguments)
 
     def test_info_and_demo(self):
@@ -125,7 +116,7 @@ class Files(Windows):
             mesh = os.path.join(folder, name + ".stl")
             with open(mesh, "wb") as file:
                 file.write(meshes.stl_binary(TRIANGLES[:10]))
-            self.assertIn(name.encode(), self.ask_both("overlap", mesh, "--box", support.UNIT_BOX)[1])
+            self.assertIn(name.encode(), self.ask_both("overlap", mesh, "--box", UNIT_BOX)[1])
             for out in (name + ".npz", name + ".npy"):
                 self.succeed("voxelize", mesh, "--resolution", "9", "--quiet", "-o", os.path.join(folder, out))
             self.succeed("partition", mesh, "--resolution", "9", "--quiet", "-o", os.path.join(folder, name + " tiles"))
@@ -134,7 +125,7 @@ class Files(Windows):
             self.assertEqual(sorted(os.listdir(folder)), sorted([name + ".stl", name + ".npz", name + ".npy", name + " tiles",
                                                                  "of tiles.npz"]))
             self.fail_with(1, "%s.ply: cannot open the mesh file: No such file or directory" % name.replace("%", ".PATH.")[:4],
-                           "overlap", os.path.join(folder, name[:4] + ".ply"), "--box", support.UNIT_BOX)
+                           "overlap", os.path.join(folder, name[:4] + ".ply"), "--box", UNIT_BOX)
 
     def test_separators(self):
         """Backslashes part folders, too."""
@@ -168,9 +159,9 @@ class Refused(Windows):
     def test_bad_meshes(self):
         for name, content in (("empty.ply", ""), ("notes.obj", "hello\n"), ("short.stl", b"\0" * 83), ("cut.f32", b"\0" * 37),
                               ("half.off", "OFF\n3 1 0\n0 0 0\n"), ("scene.dae", "{}")):
-            self.assert_same_lines("overlap", self.write(name, content), "--box", support.UNIT_BOX)
-        self.assert_same_lines("overlap", self.path("nowhere.ply"), "--box", support.UNIT_BOX)
-        self.assert_same_lines("overlap", self.folder, "--box", support.UNIT_BOX)
+            self.assert_same_lines("overlap", self.write(name, content), "--box", UNIT_BOX)
+        self.assert_same_lines("overlap", self.path("nowhere.ply"), "--box", UNIT_BOX)
+        self.assert_same_lines("overlap", self.folder, "--box", UNIT_BOX)
 
     def assert_same_lines(self, *arguments):
         """One line from each, the same but for the advice about libassimp, which this machine may have."""
@@ -253,7 +244,7 @@ class Interrupted(Windows):
 
     def test_console_left_as_it_was(self):
         for arguments in (("voxelize", self.mesh, *self.GRID, "--quiet", "-o", self.path("x.npz")),
-                          ("overlap", "-", "--format", "f32", "--box", support.UNIT_BOX)):
+                          ("overlap", "-", "--format", "f32", "--box", UNIT_BOX)):
             with self.subTest(arguments=arguments):
                 self.assertEqual(self.end_in_console(*arguments), "leaves 437")
             self.assertEqual(self.what_stays(set(os.listdir(self.folder)) - {"mesh.f32"}), set())
