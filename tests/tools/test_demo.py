@@ -49,7 +49,7 @@ class Demo(harness.TestCase):
 
     def test_picture_of_the_voxels(self):
         self.need("libpng")
-        path = os.path.join(self.folder, "knot.png")
+        path = self.path("knot.png")
         result = harness.run("demo", "--quick", "--picture", path, cwd=self.folder)
         self.assertEqual((result.code, result.stderr, os.listdir(self.folder)), (0, "", ["knot.png"]))
         self.assertRegex(result.stdout, r"(?m)^Voxels of the mesh: 123 x 128 x 53 cells, \d+ of them occupied; [\d.]+ ms, ")

@@ -175,12 +175,9 @@ class Json(harness.TestCase):
                  b"beyond \xf4\x90\x80\x80 \xf8\x88\x80\x80\x80",
                  bytes(range(1, 47)) + bytes(range(48, 128)), bytes(range(128, 256))]
         for name in names:
-            path = os.path.join(os.fsencode(self.folder), name)
-            with open(path, "wb") as file:
-                file.write(bytes(36))
-            done = subprocess.run([harness.program(), "overlap", path, "--format", "f32", "--box", harness.UNIT_BOX, "--json"],
-                                  capture_output=True, check=True)
-            self.assertEqual(json.loads(done.stdout)["mesh"].encode("utf-8", "surrogateescape"), path)
+            path = self.write(os.fsdecode(name), bytes(36))
+            found = json.loads(self.succeed("overlap", path, "--format", "f32", "--box", harness.UNIT_BOX, "--json"))
+            self.assertEqual(found["mesh"].encode("utf-8", "surrogateescape"), os.fsencode(path))
 
 
 class Numbers(harness.TestCase):

@@ -1,7 +1,5 @@
 """tribox voxelize --preview: the right axis is up, what is right is right, shadows fall, and nothing hidden shows."""
 
-import os
-
 import triangles as meshes
 import harness
 import readers
@@ -60,13 +58,9 @@ class Preview(harness.TestCase):
         return Picture(self.path("p.png"))
 
     def test_size(self):
-        self.assertEqual(self.size_of(None), (1280, 960))
-        self.assertEqual(self.size_of("33x77"), (33, 77))
-        self.assertEqual(self.size_of("1x1"), (1, 1))
-
-    def size_of(self, size):
-        self.draw("--resolution", "8", size=size)
-        return readers.open_png(self.path("p.png"))[:2]
+        for size, due in ((None, (1280, 960)), ("33x77", (33, 77)), ("1x1", (1, 1))):
+            self.draw("--resolution", "8", size=size)
+            self.assertEqual(readers.open_png(self.path("p.png"))[:2], due)
 
     def test_same_for_every_thread_count(self):
         self.assertEqual(len({self.draw("--resolution", "9", "--threads", n) for n in ("1", "2", "7")}), 1)
@@ -86,10 +80,9 @@ class Preview(harness.TestCase):
     def test_what_a_format_says_is_up(self):
         """Of glTF y is up, and the summary says so; --up has the last word."""
         upright = [tuple((x, z, -y) for x, y, z in t) for t in LETTER_L]
-        mesh, picture = self.write("upright.glb", meshes.glb(upright)), os.path.join(self.folder, "up.png")
-        other = self.write("upright.stl", meshes.stl_binary(upright))
-        size = ["-r", "40", "--picture-size", "%dx%d" % (WIDTH, HEIGHT), "-o", os.path.join(self.folder, "x.npy"),
-                "--preview", picture]
+        mesh, other = self.write("upright.glb", meshes.glb(upright)), self.write("upright.stl", meshes.stl_binary(upright))
+        picture = self.path("up.png")
+        size = ("-r", "40", "--picture-size", "%dx%d" % (WIDTH, HEIGHT), "-o", self.path("x.npy"), "--preview", picture)
         for path, up, said, quarter in ((mesh, [], "y, as glTF has it; --up tells otherwise", "upper right"),
                                         (mesh, ["--up", "y"], "y", "upper right"), (mesh, ["--up", "-y"], "-y", "lower right"),
                                         (other, [], "z; where the mesh has another, --up tells, as in --up y", None)):

@@ -11,7 +11,6 @@ import stat
 import struct
 import subprocess
 import sys
-import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tools"))
@@ -31,10 +30,13 @@ class Windows(support.TestCase):
         super().setUp()
         self.mesh = self.write("mesh.f32", meshes.pack_floats(TRIANGLES))
 
-    def ask_both(self, *arguments, stdin=b""):
-        """What both programs print, which is the same."""
-        done = [subprocess.run([program, *arguments], input=stdin, capture_output=True, timeout=120)
+    def run_both(self, *arguments, stdin=b""):
+        return [subprocess.run([program, *arguments], input=stdin, capture_output=True, timeout=120)
                 for program in (HERE, support.program())]
+
+    def ask_both(self, *arguments, stdin=b""):
+        """What both programs print; what they say is the same."""
+        done = self.run_both(*arguments, stdin=stdin)
         self.assertEqual((done[0].returncode, done[0].stderr), (done[1].returncode, done[1].stderr), arguments)
         return [one.stdout for one in done]
 
@@ -165,8 +167,7 @@ class Refused(Windows):
 
     def assert_same_lines(self, *arguments):
         """One line from each, the same but for the advice about libassimp, which this machine may have."""
-        done = [subprocess.run([program, *arguments], capture_output=True, timeout=60, stdin=subprocess.DEVNULL)
-                for program in (HERE, support.program())]
+        done = self.run_both(*arguments)
         self.assertEqual([one.returncode for one in done], [1, 1], arguments)
         self.assert_one_line(done[1].stderr.decode(), "^tribox overlap: ")
         if not arguments[1].endswith(".dae"):
@@ -200,11 +201,8 @@ class Interrupted(Windows):
     def end(self, number, *arguments):
         """Ends a run once it has begun to write. What it leaves, and says."""
         before = set(os.listdir(self.folder))
-        process = subprocess.Popen([support.program(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE)
-        deadline = time.monotonic() + 60
-        while set(os.listdir(self.folder)) == before and time.monotonic() < deadline:
-            time.sleep(0.001)
+        process = support.start(*arguments, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        self.wait_for(lambda: set(os.listdir(self.folder)) != before)
         process.send_signal(number)
         said = process.communicate(timeout=60)[1].decode()
         self.assertNotEqual(process.returncode, 0)
@@ -212,9 +210,7 @@ class Interrupted(Windows):
 
     def what_stays(self, names):
         """Of what is left, without the open files that wine removes a moment after their program ended."""
-        deadline = time.monotonic() + 10
-        while names & set(os.listdir(self.folder)) and time.monotonic() < deadline:
-            time.sleep(0.01)
+        self.wait_for(lambda: not names & set(os.listdir(self.folder)))
         return names & set(os.listdir(self.folder))
 
     def test_ctrl_c(self):
@@ -234,9 +230,7 @@ class Interrupted(Windows):
         process = subprocess.Popen([WINE, BUILD, "in_console.exe", command], cwd=BUILD, stdin=subprocess.PIPE, stdout=console,
                                    stderr=subprocess.PIPE)
         self.assertEqual(process.stderr.readline().rstrip(), b"shows UTF-8")
-        deadline = time.monotonic() + 60
-        while "-o" in arguments and os.listdir(self.folder) == ["mesh.f32"] and time.monotonic() < deadline:
-            time.sleep(0.001)
+        self.wait_for(lambda: "-o" not in arguments or os.listdir(self.folder) != ["mesh.f32"])
         said = process.communicate(b"\n", timeout=60)[1].decode().splitlines()[-1]
         os.close(screen)
         os.close(console)
