@@ -788,7 +788,9 @@ TRIBOX_API size_t tribox_tile_count(const uint32_t size[3], uint32_t side);
  *   tiles.
  * starts: tiles->count + 1 numbers, written if list is NULL. The list of tile tiles->first + t goes from starts[t] to before
  *   starts[t + 1], and the last number is the length of all lists. With a list they are read; they change during the call, and are
- *   the same again on return.
+ *   the same again on return. They take 8 bytes a tile, with triangles or without: 1 GiB for all tiles of 128 in a grid of 65,536
+ *   cells a side. If few tiles have triangles, find these by tribox_split and hand each to tribox_bricks, as voxelize of tribox.hpp
+ *   does: for two balls of 20,000 triangles in that grid it takes 2 MB and a fiftieth of the time (AMD EPYC, Zen 4, virtual).
  * list: starts[tiles->count] numbers, written; NULL to count.
  *
  * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if the side is 0, if the grid does not have all tiles of the share,

@@ -775,21 +775,104 @@ report bricks(triangles of, const grid &in, const tiles &share, const lists &by_
     return counted;
 }
 
-/** The cells that triangles overlap, to a sink: take(i, j, k), tile by tile, without a bit for each. */
+namespace detail
+{
+/* The tiles that triangles are in, each with its list, by halving boxes of tiles: nothing is kept of tiles without triangles. */
+template <class Take> struct tile_search {
+    triangles of;
+    const grid &in;
+    uint32_t side;
+    options how; /* for splits: no triangle may be missed */
+    Take &take;  /* take(i, j, k, list) returns a status, which ends the search if it is not TRIBOX_OK */
+    split_memory memory;
+
+    /* Where tile t of axis a begins, and the one before it ends. */
+    double plane(unsigned a, uint32_t t) const
+    {
+        const bool is_end = uint64_t{t} * side >= in.size[a];
+        uint32_t at[3] = {0, 0, 0};
+        at[a] = is_end ? in.size[a] - 1 : t * side;
+        const tribox_box of_cell = tribox_grid_cell(&in, at[0], at[1], at[2]);
+        return is_end ? of_cell.hi[a] : of_cell.lo[a];
+    }
+    status search(const window &some, view<const uint32_t> list)
+    {
+        unsigned flat = 0; /* axes of one tile: their upper children are not wanted */
+        double low[3], middle[3], high[3];
+        for (unsigned a = 0; a < 3; a++) {
+            const uint32_t first = some.first[a], size = some.size[a];
+            low[a] = plane(a, first);
+            high[a] = plane(a, first + size);
+            middle[a] = size > 1 ? plane(a, first + size / 2) : high[a];
+            flat |= static_cast<unsigned>(size == 1) << a;
+        }
+        if (flat == 7)
+            return take(some.first[0], some.first[1], some.first[2], list);
+        status result = TRIBOX_OK, of_split;
+        const auto take_child = [&](unsigned c, view<const uint32_t> own) {
+            window child = some;
+            for (unsigned a = 0; a < 3; a++)
+                if (~flat >> a & 1) {
+                    const uint32_t half = some.size[a] / 2;
+                    child.first[a] += c >> a & 1 ? half : 0;
+                    child.size[a] = c >> a & 1 ? some.size[a] - half : half;
+                }
+            if (!(c & flat))
+                result = search(child, own);
+            return result != TRIBOX_OK;
+        };
+        split(of, list, box(low, high), memory, take_child, middle, how, of_split);
+        return result ? result : of_split;
+    }
+};
+} // namespace detail
+
+/**
+ * The cells that triangles overlap, to a sink: take(i, j, k), tile by tile, without a bit for each. Memory goes with the triangles,
+ * however many tiles the grid has.
+ */
 template <class Take, class = std::enable_if_t<std::is_invocable_v<Take &, uint32_t, uint32_t, uint32_t>>>
 report voxelize(triangles of, const grid &in, Take &&take, const options &how = {}, on_error fails = {})
 {
     const tiles all(in);
+    const bool is_sparse = all.count / 4 > of.count() + (1 << 14) && (!how.axes || how.axes & TRIBOX_AXES_BOX);
     status result;
     scratch memory;
-    const lists by_tile = tile_lists(of, in, all, how, result);
     const auto take_cells = [&take](const brick &some) {
         for (const cell &at : some)
             if (detail::ends(take, at.i, at.j, at.k))
                 return true;
         return false;
     };
-    return fails(result) ? bricks(of, in, all, by_tile, memory, take_cells, how, fails) : report{};
+    lists by_tile =
+        tile_lists(of, in, is_sparse ? tiles(tribox_tiles{all.side, 0, 0}) : all, how, result); // of no tile: asks whether all fits
+    if (result || !is_sparse)
+        return fails(result) ? bricks(of, in, all, by_tile, memory, take_cells, how, fails) : report{};
+
+    report counted = {};
+    uint32_t along[3];
+    for (int a = 0; a < 3; a++)
+        along[a] = (in.size[a] - 1) / all.side + 1;
+    by_tile.starts = buffer<size_t>(2);
+    by_tile.starts[0] = 0;
+    const auto take_tile = [&](uint32_t i, uint32_t j, uint32_t k, view<const uint32_t> list) {
+        std::memcpy(by_tile.list.grow(list.size()), list.data(), list.size() * sizeof(uint32_t));
+        by_tile.starts[1] = list.size();
+        const tiles one(tribox_tiles{all.side, (size_t{k} * along[1] + j) * along[0] + i, 1});
+        const report own = bricks(of, in, one, by_tile, memory, take_cells, how, result);
+        counted.overlapping += own.overlapping;
+        counted.undecided += own.undecided;
+        return result;
+    };
+    options coarse = how;
+    coarse.accuracy = TRIBOX_CONSERVATIVE;
+    coarse.axes = how.axes == TRIBOX_AXES_ALL ? 0 : how.axes & TRIBOX_AXES_BOX;
+    buffer<uint32_t> every(of.count());
+    for (size_t n = 0; n < every.size(); n++)
+        every[n] = static_cast<uint32_t>(n);
+    fails(detail::tile_search<decltype(take_tile)>{of, in, all.side, coarse, take_tile, {}}.search(
+        {{0, 0, 0}, {along[0], along[1], along[2]}}, every));
+    return counted;
 }
 
 } // namespace tribox

@@ -478,6 +478,25 @@ void cells()
           counted.overlapping);
     CHECK(by_lambda.bits == wanted.bits);
 
+    /* Of 2^39 tiles that are nearly all empty, and with borders of tiles through the sheet: whose cells are among the others. */
+    const uint32_t before = (1 << 19) - 40;
+    const double low = -0.25 * before;
+    const tribox::grid vast({low, low, low}, 0.25, {1 << 20, 1 << 20, (1 << 20) - 5});
+    for (const tribox::options &how :
+         {tribox::options(), tribox::options(tribox_options{TRIBOX_EXACT, TRIBOX_AXES_ALL, 0, nullptr, {}})}) {
+        clear_bits by_search;
+        size_t taken = 0;
+        const tribox::report of_vast = tribox::voxelize(
+            at.mesh, vast,
+            [&](uint32_t i, uint32_t j, uint32_t k) {
+                taken++;
+                if (i - before < sheet.size[0] && j - before < sheet.size[1] && k - before < sheet.size[2])
+                    by_search.set(i - before, j - before, k - before);
+            },
+            how);
+        CHECK(by_search.bits == wanted.bits && of_vast.overlapping == taken && taken > counted.overlapping);
+    }
+
     std::vector<uint32_t> ids(size_t{sheet.size[0]} * sheet.size[1] * sheet.size[2]);
     std::vector<uint64_t> bits(wanted.bits.size());
     tribox::check(tribox_mesh_voxelize_ids(&at.mesh, 0, &sheet, nullptr, nullptr, bits.data(), ids.data(), nullptr));
@@ -519,6 +538,11 @@ void cells()
     CHECK(tribox::voxelize(at.mesh, sheet, [&](uint32_t, uint32_t, uint32_t) { return --calls == 0; }).overlapping <
               counted.overlapping &&
           calls == 0);
+    calls = 3;
+    CHECK(tribox::voxelize(
+              at.mesh, vast, [&](uint32_t, uint32_t, uint32_t) { return --calls == 0; }, {}, said)
+                  .overlapping < counted.overlapping &&
+          calls == 0 && said == TRIBOX_STOPPED);
     const auto thrown = [&](const auto &call) {
         try {
             call();
@@ -543,7 +567,10 @@ void cells()
           }) == "lists");
     CHECK(thrown([&] {
               tribox::voxelize(at.mesh, sheet, [](uint32_t, uint32_t, uint32_t) { throw std::runtime_error("cell"); });
-          }) == "cell");
+          }) == "cell" &&
+          thrown([&] {
+              tribox::voxelize(at.mesh, vast, [](uint32_t, uint32_t, uint32_t) { throw std::runtime_error("vast"); });
+          }) == "vast");
 }
 
 } // namespace
