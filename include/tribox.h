@@ -139,7 +139,7 @@ typedef struct tribox_mesh {
 typedef enum tribox_status {
     TRIBOX_OK = 0,       /* the call succeeded */
     TRIBOX_BAD_ARGUMENT, /* a required pointer is NULL, or a count, range, stride or index size is not allowed */
-    TRIBOX_BAD_BOX,      /* a bound of the box, or a number of the oriented box, is NaN or infinite */
+    TRIBOX_BAD_BOX,      /* a number of the box is NaN or infinite, or the middle at which to split it is not within it */
     TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or so fine that two planes are one number */
     TRIBOX_BAD_OPTION,   /* an option is unknown, or not available in this call; or a reserved number is not zero */
     TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it, or -ffp-contract=fast has broken it */

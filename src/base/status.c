@@ -15,7 +15,7 @@ const char *tribox_status_text(tribox_status status)
     case TRIBOX_BAD_ARGUMENT:
         return "an argument is NULL or not allowed; see the comment on the function";
     case TRIBOX_BAD_BOX:
-        return "a bound of the box is NaN or infinite";
+        return "a number of the box is NaN or infinite, or the middle at which to split it is not within it";
     case TRIBOX_BAD_GRID:
         return "the grid is not finite, not positive, too large, or so fine that two planes are one number";
     case TRIBOX_BAD_OPTION:
