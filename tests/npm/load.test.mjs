@@ -93,7 +93,7 @@ const worker = `
     parentPort.postMessage('ready');`;
 
 test('shares of any size join as the README says', async () => {
-    const example = readFileSync(path.join(folder, 'README.md'), 'utf8').match(/## Workers[^]*?```js\n([^]*?)```/)[1];
+    const example = readFileSync(path.join(folder, 'README.md'), 'utf8').match(/const share[^]*?\* k\)\);\n/)[0];
     const AsyncFunction = (async () => {}).constructor;
     const joined = new AsyncFunction('positions', 'workers', 'ask', `${example}return words;`);
     const tribox = await load(), ask = async (part) => tribox.soup({ positions: part }).overlap(middleBox).mask.words;

@@ -132,6 +132,7 @@ function runExample(made, example, most) {
 
 test('runs where it is installed, offline, as its README says', () => installed((made) => {
     runExample(made, examples[0], 20);
+    runExample(made, examples.find((example) => example.includes('worker_threads')), 25);
     const required = createRequire(path.join(made, 'x.js'));
     assert.ok(required.resolve('tribox/tribox.wasm').endsWith('tribox.wasm'));
     assert.deepEqual(readdirSync(path.join(made, 'node_modules')).filter((name) => !name.startsWith('.')), ['tribox']);
