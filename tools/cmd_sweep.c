@@ -134,7 +134,7 @@ typedef struct findings {
     const request *r;
     const mesh *m;
     const timing_work *work;
-    char work_text[128];
+    char work_text[128], processor[200];
     sweep s;
     why w;
     sweep_advice advice;
@@ -153,6 +153,7 @@ static void print_text(const findings *f)
     printf("tested       %s\n", f->work_text);
     printf("pairs        %zu, of which %zu overlap (%.2f %%)\n", f->work->pairs, f->w.overlapping,
            100 * (double)f->w.overlapping / (double)f->w.pairs);
+    printf("processor    %s\n", f->processor);
     report_best(&f->s);
     if (f->r->wants_tables)
         report_tables(&f->s, &f->w);
@@ -168,6 +169,7 @@ static void print_json(const findings *f)
         json_doubles(&to, "shift", f->r->shift.by, 3, false);
     json_string(&to, "tested", f->work_text);
     json_whole(&to, "soups", f->work->count);
+    json_string(&to, "processor", f->processor);
     report_json(&to, &f->s, &f->w);
     json_open_object(&to, "advice");
     json_string(&to, "kernel", f->advice.kernel);
@@ -211,7 +213,7 @@ static void draw_chart(FILE *chart, const findings *f)
     char title[512];
     snprintf(title, sizeof title, "%s: %zu pairs, %s", f->r->mesh_path + named_file_folder(f->r->mesh_path), f->work->pairs,
              f->work_text);
-    sweep_chart(chart, &f->s, title);
+    sweep_chart(chart, &f->s, title, f->processor);
 }
 
 static int sweep_mesh(const request *r, const mesh *m, const timing_work *work, const sweep_wish *wish)
@@ -222,6 +224,7 @@ static int sweep_mesh(const request *r, const mesh *m, const timing_work *work, 
     f.m = m;
     f.work = work;
     sweep_work_describe(wish, work, f.work_text, sizeof f.work_text);
+    processors_name(f.processor, sizeof f.processor);
     int code = open_chart(r->chart_path, &chart);
     if (code)
         return code;

@@ -1,40 +1,15 @@
-/* printout.c - prints what was measured, and on what: asks Linux about the processor. */
+/* printout.c - prints what was measured, and on what. */
 #include "printout.h"
 
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "build.h"
 #include "commit.h"
+#include "console/system.h"
 #include "paper/paper.h"
 
 enum { LINE = PRINTOUT_LINE };
-
-/* The processor as the operating system names it, and whether a hypervisor shows itself. Linux only; elsewhere nothing is found. */
-static bool read_processor(char name[LINE])
-{
-    char line[8192];
-    bool is_virtual = false;
-    int family = 0, model = 0; /* which tell apart what shares a name, and stand before it */
-    FILE *const file = fopen("/proc/cpuinfo", "r");
-    snprintf(name, LINE, "unknown processor");
-    while (file && fgets(line, sizeof line, file)) {
-        const char *const value = strchr(line, ':');
-        line[strcspn(line, "\n")] = 0;
-        if (value && !strncmp(line, "cpu family", strlen("cpu family")))
-            family = atoi(value + 1);
-        if (value && !strncmp(line, "model\t", strlen("model\t")))
-            model = atoi(value + 1);
-        if (value && !strncmp(line, "model name", strlen("model name")))
-            snprintf(name, LINE - 64, "%s (family %d, model %d)", value + 1 + strspn(value + 1, " "), family, model);
-        is_virtual = is_virtual || (!strncmp(line, "flags", strlen("flags")) && strstr(line, "hypervisor"));
-    }
-    if (file)
-        fclose(file);
-    strcat(name, is_virtual ? ", virtual" : "");
-    return is_virtual;
-}
 
 /* Processes that wanted to run in the last minute; negative if unknown. */
 static double read_load(void)
@@ -73,7 +48,8 @@ static void tell(printout *r, const char *name, const char *value)
 void printout_begin(printout *r, uint64_t seed, const char *kernel)
 {
     char line[LINE];
-    const bool is_virtual = read_processor(line);
+    processors_name(line, sizeof line);
+    const bool is_virtual = strstr(line, ", virtual");
     r->to = json_to(stdout);
     if (r->is_json)
         json_open_object(&r->to, NULL);

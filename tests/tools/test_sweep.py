@@ -133,7 +133,7 @@ class Sweep(harness.TestCase):
         advice, empty, *lines = short.splitlines()
         self.assertRegex(advice, r"\AUse .* here.*\.\Z")
         self.assertEqual(empty, "")
-        self.assertEqual([line.split()[0] for line in lines], ["mesh", "triangles", "tested", "pairs", "time"])
+        self.assertEqual([line.split()[0] for line in lines], ["mesh", "triangles", "tested", "pairs", "processor", "time"])
 
     def test_tables(self):
         text = self.succeed("sweep", self.mesh, "--box", harness.UNIT_BOX, "--verbose", "--quick")
@@ -146,12 +146,18 @@ class Sweep(harness.TestCase):
 
     def test_chart(self):
         path = os.path.join(self.folder, "chart.svg")
-        self.succeed("sweep", self.mesh, "--quick", "--chart", path)
+        found = json.loads(self.succeed("sweep", self.mesh, "--quick", "--chart", path, "--json"))
+        with open("/proc/cpuinfo") as file:
+            model = re.search(r"model name\s*: (.*)", file.read())
+        of_model = r" \(family \d+, model \d+\)(, virtual)?$"
+        self.assertRegex(found["processor"], re.escape(model[1]) + of_model if model else "unknown")
         root = xml.etree.ElementTree.parse(path).getroot()
         rectangles = root.findall("{http://www.w3.org/2000/svg}rect")
         self.assertEqual(len(rectangles), 1 + 7 + 7 * 3 * len(self.kernels) + 6)
         self.assertEqual({text.text for text in root.iter() if text.text in (*self.kernels, "paper")}, {*self.kernels, "paper"})
-        self.assertRegex(root.find("{http://www.w3.org/2000/svg}text").text, r"^mesh\.ply: \d+ pairs, \d+ leaves of an octree")
+        title, axis = [text.text for text in root.findall("{http://www.w3.org/2000/svg}text")][:2]
+        self.assertRegex(title, r"^mesh\.ply: \d+ pairs, \d+ leaves of an octree")
+        self.assertTrue(axis.endswith("; " + found["processor"]), axis)
 
     def test_not_finite(self):
         self.triangles[5] = ((math.nan, 0, 0), (1, 0, 0), (0, 1, 0))

@@ -24,7 +24,7 @@ enum { THREADS_MAX = 256 };
 /* The processors that are online, from 1 to THREADS_MAX. */
 unsigned processors_here(void);
 
-/* Their model as the system names it, "unknown" where it does not. */
+/* Their model as the system names it, on Linux with its numbers and ", virtual" where they are; "unknown" where it does not. */
 void processors_name(char *name, size_t size);
 
 /* Bytes that this process can still take without swapping; UINT64_MAX where neither the system nor a limit says. */

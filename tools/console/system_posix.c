@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -39,19 +40,24 @@ unsigned processors_here(void)
 
 void processors_name(char *name, size_t size)
 {
-    FILE *file = fopen("/proc/cpuinfo", "r");
-    char line[256];
-    snprintf(name, size, "unknown");
+    char line[8192], model_name[160] = "unknown";
+    bool is_virtual = false;
+    int family = 0, model = 0; /* which tell apart what shares a name, and stand before it */
+    FILE *const file = fopen("/proc/cpuinfo", "r");
     while (file && fgets(line, sizeof line, file)) {
-        const char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", 10) || !colon)
-            continue;
-        colon += strspn(colon, ": \t");
-        snprintf(name, size, "%.*s", (int)strcspn(colon, "\n"), colon);
-        break;
+        const char *const colon = strchr(line, ':');
+        line[strcspn(line, "\n")] = 0;
+        if (colon && !strncmp(line, "cpu family", strlen("cpu family")))
+            family = atoi(colon + 1);
+        if (colon && !strncmp(line, "model\t", strlen("model\t")))
+            model = atoi(colon + 1);
+        if (colon && !strncmp(line, "model name", strlen("model name")))
+            snprintf(model_name, sizeof model_name, "%s (family %d, model %d)", colon + 1 + strspn(colon + 1, " "), family, model);
+        is_virtual = is_virtual || (!strncmp(line, "flags", strlen("flags")) && strstr(line, "hypervisor"));
     }
     if (file)
         fclose(file);
+    snprintf(name, size, "%s%s", model_name, is_virtual ? ", virtual" : "");
 }
 
 /* ----------------------------------------------------------------------------------------------------------------------- memory */

@@ -115,7 +115,7 @@ typedef struct sweep_advice {
 
 sweep_advice sweep_advise(const sweep *s);
 
-/* An SVG: a panel for each kernel, a group of bars for each accuracy, a bar for each order. title: a line above; any text. */
-void sweep_chart(FILE *to, const sweep *s, const char *title);
+/* An SVG: a panel for each kernel, a group of bars for each accuracy, a bar for each order. title, processor: above; any text. */
+void sweep_chart(FILE *to, const sweep *s, const char *title, const char *processor);
 
 #endif

@@ -346,8 +346,9 @@ static void draw_panel(FILE *to, const sweep *s, const char *kernel, int top)
     fprintf(to, "<line x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\" stroke=\"#404040\"/>\n", LEFT - 6, base, WIDTH - 20, base);
 }
 
-void sweep_chart(FILE *to, const sweep *s, const char *title)
+void sweep_chart(FILE *to, const sweep *s, const char *title, const char *processor)
 {
+    char axis[512];
     int count = 0;
     while (tribox_kernel_list((size_t)count))
         count++;
@@ -358,8 +359,8 @@ void sweep_chart(FILE *to, const sweep *s, const char *title)
         "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
         WIDTH, height, WIDTH, height);
     text_at(to, 16, 26, "font-size=\"16\"", title);
-    text_at(to, 16, 46, "font-size=\"13\" fill=\"#606060\"",
-            "nanoseconds per pair of a triangle and a box, the least in bold; each kernel has a scale of its own");
+    snprintf(axis, sizeof axis, "nanoseconds per pair, the least in bold, each kernel with a scale of its own; %s", processor);
+    text_at(to, 16, 46, "font-size=\"13\" fill=\"#606060\"", axis);
     draw_legend(to);
     for (int k = 0; k <= count; k++)
         draw_panel(to, s, tribox_kernel_list((size_t)k), TOP + k * (PANEL + GAP));
