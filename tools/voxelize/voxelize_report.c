@@ -177,6 +177,7 @@ static void print_json(const voxelize_answer *a)
     output_json_test(&j, &r->test);
     json_whole(&j, "threads", r->threads);
     json_number(&j, "seconds", 6, a->seconds);
+    json_number(&j, "total_seconds", 6, a->total_seconds);
     json_number(&j, "ns_per_triangle", 6, ns_per_triangle(a));
     result_json(&j, &r->result);
     json_close(&j);

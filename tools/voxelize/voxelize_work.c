@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/clock.h"
 #include "console/interrupt.h"
 #include "console/message.h"
 #include "console/system.h"
@@ -309,8 +310,10 @@ static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
 int voxelize_work(const voxelize_request *r)
 {
     voxelize_answer a = {.r = r};
+    const double start = clock_seconds();
     if (r->result.format && r->result.format->writer->begin)
         r->result.format->writer->begin();
     const int code = partition_is_folder(r->from.mesh_path) ? work_on_partition(r, r->paths, r->count, &a) : work_on_mesh(r, &a);
+    a.total_seconds = clock_seconds() - start;
     return code || !r->result.has_summary ? code : voxelize_report(&a);
 }

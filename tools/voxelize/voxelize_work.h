@@ -40,7 +40,7 @@ typedef struct voxelize_answer {
     const char *colours;     /* whose they are; NULL for none */
     size_t inside, odd_rows; /* of a fill */
     tribox_report report;
-    double seconds;
+    double seconds, total_seconds; /* of the cells; from the first byte of the mesh to the last that is written */
 } voxelize_answer;
 
 /* What there is to voxelize: a mesh, or a partition. */
