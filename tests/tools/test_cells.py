@@ -79,6 +79,18 @@ class Answers(Voxels):
                 slack = 0 if ending.endswith("npz") else slack
                 self.assertTrue((abs(np.array(stated[key]) - due) <= slack).all(), (ending, key, stated[key], due))
 
+    def test_empty(self):
+        """What is cut where nothing overlaps has no cells, in a grid that is given; there is none around it."""
+        for name, data in (("mesh.ply", meshes.ply_of(LATTICE)), ("text.ply", meshes.FORMATS["ascii.ply"](LATTICE)),
+                           ("mesh.off", meshes.off(LATTICE)), ("mesh.stl", meshes.stl_binary(LATTICE))):
+            cut = self.path("cut" + name)
+            self.succeed("overlap", self.write(name, data), "--box", "80,80,80,90,90,90", "-o", cut, note=".*: has no face")
+            self.fail_with(1, ".*: contains no triangles", "voxelize", cut, "--cell", "1", "--size", "3,4,5", "--count")
+            for ending, options in itertools.product((".npy", ".npz"), ((), ("--fill", "outside"), ("--shift", "auto"))):
+                path, found = self.voxelize(cut, *grid_of("1", "0,0,0", "3,4,5"), *options, ending=ending)
+                self.assertEqual((found["triangles"], found["occupied"], found["ns_per_triangle"]), (0, 0, None))
+                self.assertFalse(readers.read(path, (3, 4, 5))[0].any())
+
     def test_grids(self):
         """Every format, against separating axes in whole numbers."""
         for triangles, options in GRIDS:

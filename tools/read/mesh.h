@@ -84,8 +84,11 @@ int mesh_read(const char *path, mesh *m);
 /* Makes a mesh of doubles one of floats, rounded once after the origin is subtracted. Returns an exit_code. */
 int mesh_to_floats(const char *path, const double origin[3], mesh *m);
 
-/* Makes room for triangles as floats, of which none is a failure. Returns an exit_code; path: NULL to say nothing. */
+/* Makes room for triangles as floats. None are a failure if not welcome. Returns an exit_code; path: NULL to say nothing. */
 int mesh_make_room(const char *path, uint64_t count, mesh *m);
+
+/* From now on a mesh without triangles may be read. */
+void mesh_welcome_empty(void);
 
 void mesh_drop_floats(mesh *m);
 void mesh_drop_corners(mesh *m);

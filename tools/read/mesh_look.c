@@ -32,8 +32,14 @@ static void point_streams(float *coordinates, size_t capacity, mesh *m)
     }
 }
 
+static bool is_empty_welcome;
+
+void mesh_welcome_empty(void) { is_empty_welcome = true; }
+
 int mesh_make_room(const char *path, uint64_t count, mesh *m)
 {
+    if (!count && path && is_empty_welcome)
+        return EXIT_CODE_OK;
     float *const coordinates = count && count <= SIZE_MAX / TRIANGLE_BYTES ? pages_take((size_t)count * TRIANGLE_BYTES) : NULL;
     if (coordinates)
         point_streams(coordinates, (size_t)count, m);

@@ -211,6 +211,6 @@ int grid_choose_around(const grid_choice *choice, const char *path, const tribox
 int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid *grid)
 {
     tribox_box bounds;
-    const int code = bounds_of(path, m, &bounds);
+    const int code = grid_is_fixed(choice) ? EXIT_CODE_OK : bounds_of(path, m, &bounds);
     return code ? code : grid_choose_around(choice, path, &bounds, grid);
 }
