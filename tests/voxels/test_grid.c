@@ -208,4 +208,26 @@ CASE(test_ends)
     }
 }
 
-PROGRAM(RUN(test_cells), RUN(test_planes), RUN(test_words), RUN(test_fineness), RUN(test_ends))
+/* Edges of which products vanish beside those of a cell's length: cells are those that tribox_mesh_overlap tells. */
+CASE(test_tiny_parts)
+{
+    enum { SIDE = 4 };
+    random_source r = random_named(args.seed, "tiny parts");
+    const tribox_grid grid = {{0, 0, 0}, {0.7, 0.7, 0.7}, {SIDE, SIDE, SIDE}};
+    for (int round = 0; round < 3000; round++) {
+        uint64_t occupied[SIDE * SIDE] = {0};
+        double u[9];
+        for (int k = 0; k < 9; k++)
+            u[k] = k < 6 || random_int(&r, 3) == 0 ? 0x1p-1072 * (random_int(&r, 19) - 9) : random_int(&r, 15) - 7;
+        const tribox_mesh mesh = {.positions = u, .vertices = 3, .count = 1, .position_bytes = sizeof(double)};
+        assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, NULL, NULL, occupied, NULL), TRIBOX_OK);
+        for (uint32_t c = 0; c < SIDE * SIDE * SIDE; c++) {
+            const tribox_box box = tribox_grid_cell(&grid, c % SIDE, c / SIDE % SIDE, c / SIDE / SIDE);
+            uint64_t overlaps;
+            assert_int_equal(tribox_mesh_overlap(&mesh, &box, NULL, &overlaps, NULL), TRIBOX_OK);
+            assert_int_equal(occupied[c / SIDE] >> c % SIDE & 1, overlaps);
+        }
+    }
+}
+
+PROGRAM(RUN(test_cells), RUN(test_planes), RUN(test_words), RUN(test_fineness), RUN(test_ends), RUN(test_tiny_parts))
