@@ -478,10 +478,10 @@ void cells()
           counted.overlapping);
     CHECK(by_lambda.bits == wanted.bits);
 
-    /* Of 2^39 tiles that are nearly all empty, and with borders of tiles through the sheet: whose cells are among the others. */
-    const uint32_t before = (1 << 19) - 40;
+    /* Of 2^34 tiles that are nearly all empty, two along z, and with borders of tiles through the sheet. */
+    const uint32_t before = (1 << 19) - 40, below = 128 - 8;
     const double low = -0.25 * before;
-    const tribox::grid vast({low, low, low}, 0.25, {1 << 20, 1 << 20, (1 << 20) - 5});
+    const tribox::grid vast({low, low, -0.25 * below}, 0.25, {1 << 24, 1 << 23, below + sheet.size[2]});
     for (const tribox::options &how :
          {tribox::options(), tribox::options(tribox_options{TRIBOX_EXACT, TRIBOX_AXES_ALL, 0, nullptr, {}})}) {
         clear_bits by_search;
@@ -490,8 +490,8 @@ void cells()
             at.mesh, vast,
             [&](uint32_t i, uint32_t j, uint32_t k) {
                 taken++;
-                if (i - before < sheet.size[0] && j - before < sheet.size[1] && k - before < sheet.size[2])
-                    by_search.set(i - before, j - before, k - before);
+                if (i - before < sheet.size[0] && j - before < sheet.size[1] && k - below < sheet.size[2])
+                    by_search.set(i - before, j - before, k - below);
             },
             how);
         CHECK(by_search.bits == wanted.bits && of_vast.overlapping == taken && taken > counted.overlapping);
