@@ -28,7 +28,6 @@ static const struct recipe {
     size_t count;
     draw_triangle *draw; /* NULL: a surface, and a mesh of it */
     enum keep keep;
-    int grid; /* its vertices lie on multiples of 1 / grid that floats round: many boxes do, too */
 } recipes[] = {
     {"paper", "vertices uniform in [-2, 2]^3", -0.5f, 0.5f, 100000, draw_paper, ALL},
     {"cache", "the same, few enough for the first-level cache", -0.5f, 0.5f, 800, draw_paper, ALL},
@@ -44,10 +43,9 @@ static const struct recipe {
     {"inside", "vertices uniform in the box", -0.5f, 0.5f, 100000, draw_inside, ALL},
     {"edge-miss", "those of paper that only an edge axis separates", -0.5f, 0.5f, 100000, draw_paper, EDGE_MISSES},
     {"lattice", "vertices on multiples of 1/4 in [-2, 2]^3: contact is common", -0.5f, 0.5f, 100000, draw_lattice, ALL},
-    {"tenths", "vertices on multiples of 1/10 in [0, 2.5]^3: contact, of rounded numbers", 0.8f, 1.7f, 100000, draw_tenths, ALL,
-     10},
+    {"tenths", "vertices on multiples of 1/10 in [0, 2.5]^3: contact, of rounded numbers", 0.8f, 1.7f, 100000, draw_tenths, ALL},
     {"cad", "faces of blocks and prisms on a grid of 1/4, against a cell of it", 0.75f, 1.25f, 100000, draw_cad, ALL},
-    {"cad-tenths", "the same on a grid of 1/10, of rounded numbers", 0.3f, 0.5f, 100000, draw_cad_tenths, ALL, 10},
+    {"cad-tenths", "the same on a grid of 1/10, of rounded numbers", 0.3f, 0.5f, 100000, draw_cad_tenths, ALL},
     {"touching", "triangles that touch the box, on multiples of 1/8", -0.5f, 0.5f, 100000, draw_touching, ALL},
     {"touching-ulp", "the same, three coordinates moved by a float or not", -0.5f, 0.5f, 100000, draw_touching_ulp, ALL},
     {"offset", "the scene paper a million units away", 999999.5f, 1000000.5f, 100000, draw_offset, ALL},
@@ -173,14 +171,17 @@ bool scene_find(const char *name, size_t *index)
     return false;
 }
 
-/* A box of one to three steps of the grid. */
-static tribox_box draw_box(generator *g, int grid)
+/* Vertices on tenths, which floats round: boxes lie on them, too. */
+static bool is_of_tenths(const struct recipe *r) { return r->draw == draw_tenths || r->draw == draw_cad_tenths; }
+
+/* A box of one to three tenths. */
+static tribox_box draw_box(generator *g)
 {
     tribox_box box;
     for (int a = 0; a < 3; a++) {
         const size_t from = random_below(g, 10);
-        box.lo[a] = (double)((float)from / (float)grid);
-        box.hi[a] = (double)((float)(from + 1 + random_below(g, 3)) / (float)grid);
+        box.lo[a] = (double)((float)from / 10);
+        box.hi[a] = (double)((float)(from + 1 + random_below(g, 3)) / 10);
     }
     return box;
 }
@@ -188,7 +189,7 @@ static tribox_box draw_box(generator *g, int grid)
 bool scene_make(size_t index, uint64_t seed, bool has_boxes, scene *made)
 {
     const struct recipe *const recipe = &recipes[index];
-    const bool is_many = has_boxes && recipe->grid;
+    const bool is_many = has_boxes && is_of_tenths(recipe);
     const size_t boxes = is_many ? SCENE_BOXES : 1, each = recipe->count / boxes;
     generator g = {seed};
     *made = (scene){.name = recipe->name, .what = recipe->what};
@@ -200,7 +201,7 @@ bool scene_make(size_t index, uint64_t seed, bool has_boxes, scene *made)
     }
     for (size_t b = 0; b < boxes; b++) {
         const timing_job job = timing_work_soup(&made->work, each);
-        const tribox_box box = is_many ? draw_box(&g, recipe->grid) : box_of(recipe);
+        const tribox_box box = is_many ? draw_box(&g) : box_of(recipe);
         timing_work_add(&made->work, &job, &box);
     }
     if (recipe->draw || timing_work_mesh(&made->work))
