@@ -44,13 +44,13 @@ static void write_row(FILE *to, const voxels *v, uint32_t j, uint32_t k)
         }
 }
 
-/* Colour n + 1 of a cell is number n here. */
-static void write_palette(FILE *to, const rgb *of, int count)
+/* Colour n + 1 of a cell is number n here. rest: how opaque colours of no cell are, by which readers tell labels from colours. */
+static void write_palette(FILE *to, const rgb *of, int count, unsigned char rest)
 {
     start_chunk(to, "RGBA", PALETTE_BYTES, 0);
     for (int n = 0; n < COLOURS; n++) {
         const rgb colour = n < count ? of[n] : (rgb){{0, 0, 0}};
-        fwrite((const unsigned char[4]){colour.at[0], colour.at[1], colour.at[2], UINT8_MAX}, 1, 4, to);
+        fwrite((const unsigned char[4]){colour.at[0], colour.at[1], colour.at[2], n < count ? UINT8_MAX : rest}, 1, 4, to);
     }
 }
 
@@ -75,9 +75,9 @@ static int write_vox(brick_out *out, progress *bar)
         progress_tell(bar, (k + 1.0) / n[2]);
     }
     if (v->colours)
-        write_palette(to, v->colours->palette.of, v->colours->palette.count);
+        write_palette(to, v->colours->palette.of, v->colours->palette.count, UINT8_MAX);
     else if (has_labels)
-        write_palette(to, labels, 2);
+        write_palette(to, labels, 2, 0);
     return EXIT_CODE_OK;
 }
 
