@@ -42,7 +42,7 @@ def wrong_boxes():
     for call, form in calls:
         first = [] if form is None else [form]
         for value in (NAN, INF, -INF, 10 ** 400, -10 ** 5000):
-            yield InputError, "BAD_BOX", r"NaN or infinite.*: lo = .*, hi = \(1, 1, 1\)", call, [*first, (0, value, 0), (1, 1, 1)], {}
+            yield InputError, "BAD_BOX", r"NaN or inf.*: lo = .*, hi = \(1, 1, 1\)", call, [*first, (0, value, 0), (1, 1, 1)], {}
         for odd in ODD_POINTS:
             yield InputError, None, f"^hi = .*; {THREE}", call, [*first, LO, odd], {}
             yield InputError, None, f"^lo = .*; {THREE}", call, [*first, odd, HI], {}
