@@ -14,7 +14,7 @@
 #include "console/accuracy.h"
 #include "paper/paper.h"
 
-enum { COUNTS = 13, PAIRS = 4096, CALLS_MOST = 1024, KERNELS_MOST = 5 };
+enum { COUNTS = 13, PAIRS = 4096, CALLS_MOST = 1024, KERNELS_MOST = 8 };
 static const size_t counts[COUNTS] = {0, 1, 2, 4, 8, 12, 16, 31, 32, 63, 64, 100, 1000};
 
 /* The triangles of a scene, and as many boxes about them, as tribox and as the paper's test want them. */

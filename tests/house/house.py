@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 
-ROOT = sys.argv[1]
+ROOT = sys.argv[1] if len(sys.argv) > 1 else "."
 MOST = 15  # sources in a folder of src
 COLUMNS = 132
 SYSTEM = {"setjmp.h"}  # stands in for that of a system

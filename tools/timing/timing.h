@@ -97,7 +97,7 @@ struct contestant {
     bool is_timed_once; /* in one round alone, because it takes too long */
 };
 
-enum { CONTESTANTS_MAX = 128 };
+enum { CONTESTANTS_MAX = 192 }; /* sweep enters 6 and 27 a kernel */
 
 /* The paper's test, in one of the six orders. */
 contestant contestant_paper(const timing_work *work, unsigned order);

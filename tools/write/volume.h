@@ -2,6 +2,7 @@
 #ifndef VOLUME_H
 #define VOLUME_H
 
+#include "console/message.h"
 #include "console/progress.h"
 #include "file_out.h"
 #include "voxels.h"
