@@ -304,8 +304,12 @@ struct boxes : tribox_boxes {
 /** A tribox_box: box({-1, -1, -1}, {1, 1, 1}), or of two points of a type that meshes may have. */
 struct box : tribox_box {
     template <class C, class = detail::if_same<C, tribox_box>> box(const C &from) : tribox_box(from) {}
-    box(const double (&low)[3], const double (&high)[3]) : tribox_box{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}} {}
-    template <class Point, class E = detail::element<Point>, class = std::enable_if_t<E::numbers == 3>>
+    template <size_t N, size_t M, class = std::enable_if_t<N == 3 && M == 3>> /* {1, 1} would be (1, 1, 0) */
+    box(const double (&low)[N], const double (&high)[M]) : tribox_box{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}
+    {
+    }
+    template <class Point, class E = detail::element<Point>,
+              class = std::enable_if_t<E::numbers == 3 && !std::is_same_v<Point, double[3]>>>
     box(const Point &low, const Point &high) : tribox_box{}
     {
         typename E::number from[2][3];
@@ -332,8 +336,12 @@ struct box : tribox_box {
 struct grid : tribox_grid {
     using whole = uint32_t[3];
     template <class C, class = detail::if_same<C, tribox_grid>> grid(const C &from) : tribox_grid(from) {}
-    grid(const double (&at)[3], double length, const whole &cells) : grid(at, {length, length, length}, cells) {}
-    grid(const double (&at)[3], const double (&length)[3], const whole &cells)
+    template <size_t N, size_t M, class = std::enable_if_t<N == 3 && M == 3>>
+    grid(const double (&at)[N], double length, const uint32_t (&cells)[M]) : grid(at, {length, length, length}, cells)
+    {
+    }
+    template <size_t N, size_t L, size_t M, class = std::enable_if_t<N == 3 && L == 3 && M == 3>>
+    grid(const double (&at)[N], const double (&length)[L], const uint32_t (&cells)[M])
         : tribox_grid{{at[0], at[1], at[2]}, {length[0], length[1], length[2]}, {cells[0], cells[1], cells[2]}}
     {
     }
@@ -829,7 +837,7 @@ template <class Take> struct tile_search {
 
 /**
  * The cells that triangles overlap, to a sink: take(i, j, k), tile by tile, without a bit for each. Memory goes with the triangles,
- * however many tiles the grid has.
+ * however many tiles the grid has, up to SIZE_MAX.
  */
 template <class Take, class = std::enable_if_t<std::is_invocable_v<Take &, uint32_t, uint32_t, uint32_t>>>
 report voxelize(triangles of, const grid &in, Take &&take, const options &how = {}, on_error fails = {})

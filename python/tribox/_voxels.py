@@ -210,6 +210,8 @@ class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
     def _window_at(self, key):
         """(first, end), in the order of axes of the array, of what slices without a step cut out; None if it is not such a box."""
         key = key if isinstance(key, tuple) else (key,)
+        for at in [at for at, one in enumerate(key) if one is Ellipsis][:1]:
+            key = (*key[:at], *(slice(None),) * (4 - len(key)), *key[at + 1:])
         if len(key) > 3 or not all(isinstance(one, slice) and one.step in (None, 1) for one in key):
             return None
         ranges = [one.indices(size)[:2] for one, size in zip((*key, *(slice(None),) * (3 - len(key))), self.shape)]

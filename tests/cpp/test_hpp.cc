@@ -212,6 +212,9 @@ void views()
     static_assert(!std::is_constructible_v<points, std::vector<floats> &> &&
                   !std::is_constructible_v<points, std::vector<float *> &>);
     static_assert(!std::is_constructible_v<corners, std::vector<size_t> &> && !std::is_constructible_v<corners, floats &>);
+    static_assert(std::is_constructible_v<tribox::box, double (&)[3], double (&)[3]> &&
+                  !std::is_constructible_v<tribox::box, double (&)[3], double (&)[2]>);
+    static_assert(!std::is_constructible_v<tribox::grid, double (&)[3], double, uint32_t (&)[2]>);
     static_assert(!std::is_constructible_v<corners, std::vector<uint8_t> &> &&
                   !std::is_constructible_v<corners, uint32_t(&)[9][4]>);
     static_assert(!std::is_constructible_v<view<uint64_t>, const std::vector<uint64_t> &> &&

@@ -61,7 +61,8 @@ class Arrays(cases.TestCase):
             voxels = call(told, solid)
             self.assert_same(np.asarray(voxels), call(a, b))
             self.assertEqual((voxels.grid, voxels.window, voxels.sum()), (told.grid, told.window, np.count_nonzero(call(a, b))))
-        for key in (np.s_[2:30], np.s_[:, 4:], np.s_[-7:, 3:20, 60:129], np.s_[5:2, :, -1:], np.s_[:]):
+        for key in (np.s_[2:30], np.s_[:, 4:], np.s_[-7:, 3:20, 60:129], np.s_[5:2, :, -1:], np.s_[:], np.s_[..., 3:60],
+                    np.s_[2:9, ..., 5:], np.s_[...]):
             part, other = told[key], solid[key]
             self.assert_same(np.asarray(part), a[key])
             self.assert_same(part.ids.astype(int), numbers[key][a[key]])

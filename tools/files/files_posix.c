@@ -150,7 +150,14 @@ bool new_file_make_folder(char *name)
     return true;
 }
 
-bool new_file_rename(const char *from, const char *to) { return !rename(from, to); }
+/* With the rights of a file that it takes the place of. */
+bool new_file_rename(const char *from, const char *to)
+{
+    struct stat old;
+    if (!stat(to, &old) && S_ISREG(old.st_mode))
+        chmod(from, old.st_mode & 0777);
+    return !rename(from, to);
+}
 
 bool new_file_rename_folder(const char *from, const char *to) { return !rename(from, to); }
 

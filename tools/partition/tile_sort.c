@@ -186,7 +186,7 @@ static int map_files(tile_runs *r, const folder_out *out)
 {
     for (int f = 0; f < THREADS_MAX; f++)
         if (r->files[f].rest && !file_map_of_stream(&r->files[f].map, r->files[f].tiles))
-            return message_failure("%s: cannot map what was written beside it", out->path);
+            return message_failure("%s: out of memory to map what was written beside it", out->path);
     for (size_t i = 0; i < r->count; i++)
         if (r->runs[i].file) {
             r->runs[i].list.tiles = (void *)((unsigned char *)r->runs[i].file->map.bytes + r->runs[i].tiles_at);

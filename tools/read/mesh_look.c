@@ -125,7 +125,7 @@ void mesh_warn(const char *path, const mesh *m)
     mesh_warn_rounded(path, m);
     if (m->uncut)
         message_say("warning: %s: %zu of %zu triangles are missing: libassimp cannot cut polygons that cross themselves", path,
-                    m->uncut, m->soup.count + m->uncut);
+                    m->uncut, m->triangles + m->uncut);
     if (m->miscut)
         message_say("warning: %s: %zu polygon%s cannot be cut well, so the triangles cover too much; triangulate the mesh first",
                     path, m->miscut, m->miscut == 1 ? "" : "s");

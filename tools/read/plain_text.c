@@ -1,6 +1,7 @@
 /*
- * plain_text.c - OBJ: lines "v X Y Z" and "f A B C ...", with A, A/T, A//N or A/T/N, and others, which count for nothing. PLY: a
- * line for each vertex, then for each face, which begins with the list of its corners. STL in lower case: chunks begin at a facet.
+ * plain_text.c - OBJ: lines "v X Y Z" and "f A B C ...", with A, A/T, A//N or A/T/N, whose T and N are passed over unread, and
+ * others, which count for nothing. PLY: a line for each vertex, then for each face, which begins with the list of its corners. STL
+ * in lower case: chunks begin at a facet.
  *
  * Chunks are read with a little of what follows, for the lines that begin in each. What threads find there is put together in the
  * order of the file.

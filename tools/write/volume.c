@@ -228,10 +228,13 @@ static int put(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
     const goal *const g = data;
     uint64_t inside[8];
-    if (g->out->options.has_labels)
+    if (g->out->options.has_labels) {
         bricks_inside(g->v, at, inside);
-    g->out->inside = inside;
-    return brick_out_put(g->out, at, bits);
+        g->out->inside = inside;
+    }
+    const int code = brick_out_put(g->out, at, bits);
+    g->out->inside = NULL;
+    return code;
 }
 
 int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
