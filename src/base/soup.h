@@ -44,7 +44,4 @@ static inline tribox_soup tribox_soup_of(const float *streams, size_t length, si
     return soup;
 }
 
-/* The last count % 64 triangles in a word of their own. The numbers after them are what scratch holds: the caller fills it. */
-tribox_soup tribox_soup_tail(const tribox_soup *soup, float scratch[9][64]);
-
 #endif
