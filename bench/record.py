@@ -46,6 +46,18 @@ def merged(tables):
         yield "  ".join(text.ljust(width) for text, width in zip(row, widths)).rstrip()
 
 
+def disturbed(answers):
+    """How many rows have a median time more than a tenth above their least, in the middle of the processes; of how many."""
+    marks = []
+    for runs in answers:
+        for tables in zip(*([table["rows"] for table in run["tables"] if "rows" in table] for run in runs)):
+            for same in zip(*tables):
+                if "ns_least" in same[0]:
+                    median, least = (statistics.median(row[name] for row in same) for name in ("ns_median", "ns_least"))
+                    marks.append(median > 1.1 * least)
+    return sum(marks), len(marks)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build")
@@ -65,6 +77,7 @@ def main():
             print(f"{name}: {first[name]}", file=file)
         on = f"{len(os.sched_getaffinity(0))} of {os.cpu_count()} processors"
         print(f"processes: {arguments.processes} a table, on {on}; median (least to most) of them", file=file)
+        print("disturbed: {} of {} rows with both times; there the least is to be trusted".format(*disturbed(answers)), file=file)
         for words, runs in zip(asked, answers):
             print(f"\n== {' '.join(word for word in words[1:] if word != '--json')}", file=file)
             # A table without rows says how many were disturbed, and is not in every process.
