@@ -347,7 +347,7 @@ struct grid : tribox_grid {
     }
 };
 
-/** All cells of a grid, or those of a window: voxelize(mesh, {grid, window}, occupied). */
+/** All cells of a grid, or of a window, which have to last as long as this: voxelize(mesh, {grid, window}, occupied). */
 struct cells {
     const tribox_grid *grid;
     const tribox_window *window = nullptr;
@@ -362,7 +362,7 @@ struct tiles : tribox_tiles {
     explicit tiles(const tribox_grid &of, uint32_t of_side = 128) : tribox_tiles{of_side, 0, tribox_tile_count(of.size, of_side)} {}
 };
 
-/** What calls about triangles take: a soup or a mesh. */
+/** What calls about triangles take: a soup or a mesh, which has to last as long as this. */
 struct triangles {
     const tribox_soup *soup = nullptr;
     const tribox_mesh *mesh = nullptr;
