@@ -190,8 +190,8 @@ enum {
 /**
  * Options of a call. Zero-initialised, they are the defaults: exact, all thirteen axes, the best order and kernel. For a soup,
  * orders 213 and 231 run the same code, as do 312 and 321: the first group alone, then all three for the triangles that it leaves.
- * They pay if the box normals reject few triangles and the first group most of them. Otherwise they take 2 to 10 times as long as
- * 132. For a mesh, for boxes, and for a call without some of the groups, the order makes no difference.
+ * They pay if the box normals reject few triangles and the first group most of them. Otherwise they take up to 10 times as long as
+ * 132 (tribox-bench sweep). For a mesh, for boxes, and for a call without some of the groups, the order makes no difference.
  */
 typedef struct tribox_options {
     tribox_accuracy accuracy; /* TRIBOX_EXACT by default */
@@ -790,7 +790,7 @@ TRIBOX_API size_t tribox_tile_count(const uint32_t size[3], uint32_t side);
  *   starts[t + 1], and the last number is the length of all lists. With a list they are read; they change during the call, and are
  *   the same again on return. They take 8 bytes a tile, with triangles or without: 1 GiB for all tiles of 128 in a grid of 65,536
  *   cells a side. If few tiles have triangles, find these by tribox_split and hand each to tribox_bricks, as voxelize of tribox.hpp
- *   does: for two balls of 20,000 triangles in that grid it takes 2 MB and a fiftieth of the time (AMD EPYC, Zen 4, virtual).
+ *   does: its memory goes with the triangles.
  * list: starts[tiles->count] numbers, written; NULL to count.
  *
  * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if the side is 0, if the grid does not have all tiles of the share,

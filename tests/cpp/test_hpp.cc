@@ -135,6 +135,16 @@ template <class A, class B, class = void> struct makes_mesh : std::false_type {
 template <class A, class B>
 struct makes_mesh<A, B, std::void_t<decltype(tribox::mesh({std::declval<A>(), std::declval<B>()}))>> : std::true_type {
 };
+/* Whether a corner of two numbers in braces makes a box, and a size of two a grid. */
+template <class Box, class = void> struct is_flat_box : std::false_type {
+};
+template <class Box> struct is_flat_box<Box, std::void_t<decltype(Box({-1, -1, -1}, {1, 1}))>> : std::true_type {
+};
+template <class Grid, class = void> struct is_flat_grid : std::false_type {
+};
+template <class Grid> struct is_flat_grid<Grid, std::void_t<decltype(Grid({0, 0, 0}, 1, {4, 4}))>> : std::true_type {
+};
+static_assert(!is_flat_box<tribox::box>::value && !is_flat_grid<tribox::grid>::value, "three numbers each");
 static_assert(makes_mesh<const float *, size_t>::value && !makes_mesh<const float3 *, size_t>::value, "no members of tribox_mesh");
 
 void views()
@@ -212,9 +222,6 @@ void views()
     static_assert(!std::is_constructible_v<points, std::vector<floats> &> &&
                   !std::is_constructible_v<points, std::vector<float *> &>);
     static_assert(!std::is_constructible_v<corners, std::vector<size_t> &> && !std::is_constructible_v<corners, floats &>);
-    static_assert(std::is_constructible_v<tribox::box, double (&)[3], double (&)[3]> &&
-                  !std::is_constructible_v<tribox::box, double (&)[3], double (&)[2]>);
-    static_assert(!std::is_constructible_v<tribox::grid, double (&)[3], double, uint32_t (&)[2]>);
     static_assert(!std::is_constructible_v<corners, std::vector<uint8_t> &> &&
                   !std::is_constructible_v<corners, uint32_t(&)[9][4]>);
     static_assert(!std::is_constructible_v<view<uint64_t>, const std::vector<uint64_t> &> &&

@@ -67,6 +67,9 @@ void file_map_close(file_map *map);
 /* With the rights of any new file, to be written. NULL with errno. */
 FILE *new_file_open(char *name);
 
+/* Gives a new file the rights of the one whose place it will take, if there is one: before anything is written. */
+void new_file_take_rights(FILE *to, const char *of);
+
 /* To be written and read, and gone when it is closed or the program ends in whatever way. NULL with errno. */
 FILE *new_file_open_nameless(char *name);
 

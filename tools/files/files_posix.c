@@ -133,6 +133,13 @@ FILE *new_file_open(char *name)
     return stream_of(file, "wb", name);
 }
 
+void new_file_take_rights(FILE *to, const char *of)
+{
+    struct stat old;
+    if (!stat(of, &old))
+        fchmod(fileno(to), old.st_mode & 0777);
+}
+
 FILE *new_file_open_nameless(char *name)
 {
     const int file = mkstemp(name);
@@ -150,14 +157,7 @@ bool new_file_make_folder(char *name)
     return true;
 }
 
-/* With the rights of a file that it takes the place of. */
-bool new_file_rename(const char *from, const char *to)
-{
-    struct stat old;
-    if (!stat(to, &old) && S_ISREG(old.st_mode))
-        chmod(from, old.st_mode & 0777);
-    return !rename(from, to);
-}
+bool new_file_rename(const char *from, const char *to) { return !rename(from, to); }
 
 bool new_file_rename_folder(const char *from, const char *to) { return !rename(from, to); }
 

@@ -106,7 +106,10 @@ static int make_beside(file_out *out)
     if (!out->beside)
         return message_failure("%s: out of memory", out->path);
     out->stream = open_held(new_file_open, out->beside, true);
-    return out->stream ? EXIT_CODE_OK : message_failure("%s: cannot write there: %s", out->path, strerror(errno));
+    if (!out->stream)
+        return message_failure("%s: cannot write there: %s", out->path, strerror(errno));
+    new_file_take_rights(out->stream, out->target);
+    return EXIT_CODE_OK;
 }
 
 static void forget(file_out *out)
