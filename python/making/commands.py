@@ -16,7 +16,7 @@ except ImportError:  # before 70.1
 
 
 class BuildPy(build_py):
-    """Puts the library and _ffi.py beside the modules."""
+    """Puts the library, the program and _ffi.py beside the modules."""
 
     def run(self):
         super().run()
@@ -28,8 +28,9 @@ class BuildPy(build_py):
             Compiler().build(folder, scratch)
 
     def get_outputs(self, include_bytecode=True):
-        made = "_ffi.py", Compiler().library
-        return super().get_outputs(include_bytecode) + [os.path.join(self.build_lib, "tribox", name) for name in made]
+        made = "_ffi.py", Compiler().library, Compiler().program
+        paths = (os.path.join(self.build_lib, "tribox", name) for name in made)
+        return super().get_outputs(include_bytecode) + [path for path in paths if os.path.exists(path)]
 
     def get_source_files(self):
         """What a source distribution holds."""

@@ -78,8 +78,9 @@ cell_lists() says which triangles are in which cell, in the order of voxels.cell
     (array([0, 2, 0], dtype=uint32), array([0], dtype=uint32))
     >>> lowest = lists.triangles[lists.start[:-1]]    # one for each cell: colours[lowest] are its colours
 
-read() and some formats of save() run the program tribox, which is found on PATH, or where the environment variable TRIBOX_PROGRAM
-says. For meshes larger than memory, and for many machines, use the program: examples/engines run it with Dask, MPI and Slurm.
+read() and some formats of save() run the program tribox: the one that the environment variable TRIBOX_PROGRAM names, that of the
+wheel, which has neither libassimp for glTF nor OpenVDB, or the one on PATH. For meshes larger than memory, and for many machines,
+use the program itself: examples/engines run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
 float64. Bounds of boxes and planes of grids are doubles: 0.1 is the double, np.float32(0.1) the float. A Soup holds float32. A

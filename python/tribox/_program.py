@@ -16,12 +16,15 @@ from ._errors import Error, InputError, shown
 from ._triangles import Mesh, mesh_of
 
 
+OWN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "tribox.exe" if os.name == "nt" else "tribox")  # the wheel's
+
+
 def program(what):
     """Its path. what: it is needed for."""
-    path = os.environ.get("TRIBOX_PROGRAM") or shutil.which("tribox")
+    path = os.environ.get("TRIBOX_PROGRAM") or shutil.which(OWN) or shutil.which("tribox")
     if not path:
-        raise Error(f"{what} takes the program tribox, which is not on PATH and not in the wheel: install it, as BUILD.md says, or "
-                    "set the environment variable TRIBOX_PROGRAM to where it is")
+        raise Error(f"{what} takes the program tribox, which is not in this package and not on PATH: install it, as BUILD.md says, "
+                    "or set the environment variable TRIBOX_PROGRAM to where it is")
     return path
 
 
@@ -55,7 +58,8 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
     place once; faces are triangles, into which polygons are cut. mesh.face_colors are the colours of the faces, uint8 of shape
     (n, 3), those of PLY, OFF, materials and corners; None if the file has none.
 
-    It takes the program, on all processors, which is found on PATH, or where the environment variable TRIBOX_PROGRAM says.
+    It runs the program, on all processors: the one that the environment variable TRIBOX_PROGRAM names, that of the wheel, which is
+    without libassimp, or the one on PATH.
 
     Raises InputError for what is no mesh, OSError for a file that is not there, and Error without the program. What the program
     warns of, such as triangles with a NaN, are warnings.

@@ -295,8 +295,8 @@ class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
         ParaView. These four have labels as uint8 and ids as int32 of all cells, -1 where none is set, but for .npz.
 
         .vdb (OpenVDB; ids, labels, colors), .vox (MagicaVoxel; labels, colors of a palette), .ply, .obj and .glb (faces; colors),
-        .binvox (cubes) and .raw (bits; ids, labels) are written by the program tribox, which is found on PATH, or where the
-        environment variable TRIBOX_PROGRAM says.
+        .binvox (cubes) and .raw (bits; ids, labels) are written by the program tribox, see help(tribox.read). That of the wheel
+        writes no .vdb.
 
         Of a window, such as voxels[2:5], a .npy is the array; all others are of the whole grid, in which the other cells are clear.
 

@@ -228,7 +228,7 @@ class Files(cases.TestCase):
             refuse(tribox.InputError, None, "^path = .*; give the path of a mesh file", tribox.read, path)
         voxels, out = next(self.voxels()), folder / "x.vox"
         calls = (tribox.read, holed), (voxels.save, out)
-        for path, pattern in (("", "takes the program tribox, which is not on PATH .* TRIBOX_PROGRAM"),
+        for path, pattern in (("", "takes the program tribox, which is not in this package and not on PATH: .* TRIBOX_PROGRAM"),
                               (str(folder / "none"), "none does not run: "), (str(holed), "does not run: "),
                               (str(other), "of this version, and .*program is of another: unexpected 'x'")):
             other.chmod(0o700)

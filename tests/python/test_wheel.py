@@ -22,6 +22,26 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 BUILD = os.environ.get("BUILD", os.path.join(ROOT, "build"))
 NEWEST = 2, 17  # the C library that manylinux_2_17 promises to be enough
 MODULES = sorted(os.path.basename(file) for file in glob.glob(os.path.join(ROOT, "python", "tribox", "*.py")))
+# What takes the program of the wheel: a mesh is read, and its cells are the same in a file of each format but one.
+WITH_PROGRAM = """
+import os, tempfile, tribox
+from tribox._files import HOLDS
+os.chdir(tempfile.mkdtemp())
+with open("a.off", "w") as file:
+    file.write("OFF\\n4 2 0\\n0 0 0\\n5 0 0\\n0 7 1\\n0 0 9\\n3 0 1 2\\n3 0 2 3\\n")
+mesh = tribox.read("a.off")
+voxels = tribox.voxelize(mesh, cell=1)
+assert len(mesh) == 2 and voxels.sum() > 50
+for ending in set(HOLDS) - {".vdb"}:
+    voxels.save("a" + ending)
+    assert (tribox.Voxels.load("a" + ending, voxels.grid) == voxels).all(), ending
+try:
+    tribox.read("a.glb")  # one of its own
+except tribox.InputError as error:
+    assert "built without libassimp" in str(error), error
+else:
+    raise AssertionError
+"""
 KEPT = "PATH", "HOME", "LANG", "TMPDIR"  # of the environment; what helps the tests of the build tree would hide faults here
 sys.path.insert(0, os.path.join(ROOT, "python"))
 
@@ -77,7 +97,7 @@ class Wheel(unittest.TestCase):
         with zipfile.ZipFile(cls.wheel) as wheel:
             cls.names = wheel.namelist()
             wheel.extractall(os.path.join(work, "unpacked"))
-        cls.library = os.path.join(work, "unpacked", "tribox", "libtribox.so")
+        cls.library, cls.program = (os.path.join(work, "unpacked", "tribox", name) for name in ("libtribox.so", "tribox"))
 
     @classmethod
     def tearDownClass(cls):
@@ -102,7 +122,8 @@ class Wheel(unittest.TestCase):
 
     def test_wheel_contents(self):
         inside = [name for name in self.names if ".dist-info/" not in name]
-        self.assertEqual(sorted(inside), sorted("tribox/" + name for name in [*MODULES, "_ffi.py", "libtribox.so", "py.typed"]))
+        made = "_ffi.py", "libtribox.so", "py.typed", "tribox"
+        self.assertEqual(sorted(inside), sorted("tribox/" + name for name in [*MODULES, *made]))
         for line in ("Requires-Python: >=3.9", "Requires-Dist: numpy (>=1.21)", "Requires-Dist: cffi (>=1.12)"):
             self.assertRegex(self.about("METADATA").replace("(", "").replace(")", ""), re.escape(re.sub("[()]", "", line)) + "\n")
         self.assertIn("# tribox\n", self.about("METADATA"))
@@ -111,13 +132,14 @@ class Wheel(unittest.TestCase):
         """All sources, and what makes the package of them."""
         with tarfile.open(self.sdist) as sdist:
             inside = {name.partition("/")[2] for name in sdist.getnames() if not sdist.getmember(name).isdir()}
-        sources = {name for name in inside if name.startswith(("src/", "include/"))}
+        parts = "src", "include", "tools"
+        sources = {name for name in inside if name.startswith(tuple(part + "/" for part in parts))}
         made = {"pyproject.toml", "LICENSE", "PKG-INFO", "setup.cfg", "python/README.md", "python/declarations.py",
                 "python/tribox/py.typed", *(f"python/tribox/{name}" for name in MODULES),
                 *(f"python/making/{name}.py" for name in ("__init__", "backend", "commands", "library"))}
         rest = {name for name in inside - sources if ".egg-info/" not in name}
         self.assertEqual(rest, made)
-        ours = {os.path.relpath(os.path.join(folder, name), ROOT) for part in ("src", "include")
+        ours = {os.path.relpath(os.path.join(folder, name), ROOT) for part in parts
                 for folder, _, names in os.walk(os.path.join(ROOT, part)) for name in names if name.endswith((".c", ".h"))}
         self.assertEqual(sources, ours)
 
@@ -129,6 +151,7 @@ class Wheel(unittest.TestCase):
         public = run("sh", os.path.join(ROOT, "packaging", "symbols.sh")).split()
         self.assertEqual(exported(self.library), set(public))
         self.assertGreater(max(versions(sys.executable)), NEWEST)  # these eyes see
+        self.assertEqual(needed(self.program), set())
 
     def virtual(self, name):
         """A fresh environment with this machine's NumPy and cffi: its python."""
@@ -152,6 +175,7 @@ class Wheel(unittest.TestCase):
         readme = "import doctest; failed, tried = doctest.testfile({!r}, False); assert tried and not failed"
         run(python, "-c", readme.format(os.path.join(ROOT, "python", "README.md")), cwd="/")
         run(python, "-c", "import doctest, tribox; failed, tried = doctest.testmod(tribox); assert tried and not failed", cwd="/")
+        run(python, "-c", WITH_PROGRAM, cwd="/", env=environment(PATH="/"))
         run(python, "-m", "pip", "uninstall", "-y", "tribox", cwd="/")
         self.assertEqual(glob.glob(os.path.join(self.work, "from_wheel", "lib", "*", "site-packages", "tribox*")), [])
 
