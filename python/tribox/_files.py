@@ -140,9 +140,11 @@ def write_new(path, write, what):
         with open(draft, "xb") as file:
             write(file, what)
         os.replace(draft, target)
-    except BaseException:
+    except BaseException as error:
         with suppress(OSError):
             os.remove(draft)
+        if getattr(error, "filename", None) == draft:
+            error.filename = os.fspath(path)
         raise
 
 

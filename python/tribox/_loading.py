@@ -325,6 +325,8 @@ def check_grid(path, grid, own):
 def load_bricks(path):
     """at, bits, grid, shift, shard, ids, inside and colors."""
     path = path_of(path, "; tribox merge makes one of many parts")
+    if os.path.splitext(path)[1].lower() in set(HOLDS) - {".npz"}:
+        raise InputError(f"path = {shown(path)}; Bricks are read from .npz; tribox.Voxels.load reads the other formats")
     found = read(path)
     at, bits, ids, inside, shard, colors = map(found.get, ("at", "bits", "ids", "inside", "shard", "colours"))
     for rows in (bits,) if inside is None else (bits, inside):

@@ -310,6 +310,7 @@ class Files(cases.TestCase):
         for wrong in (None, 3, b"x.npz", [path]):
             self.refuse(tribox.InputError, None, "^path = .*; give the path of a file", tribox.Bricks.load, wrong)
         self.assertRaises(FileNotFoundError, tribox.Bricks.load, "no.npz")
+        self.refuse(tribox.InputError, None, "^path = .*; Bricks are read from .npz; tribox.Voxels", tribox.Bricks.load, "no.npy")
 
     def test_bricks(self):
         """As Voxels, saved and saved again."""
@@ -432,7 +433,7 @@ class Files(cases.TestCase):
         far._with_ids(far.ids + np.uint32(1 << 31))
         refuse(tribox.InputError, None, "^ids up to 21474836.* do not fit int32", far.save, os.path.join(self.folder, "x.npy"))
         self.assertEqual(os.listdir(self.folder), [])
-        self.assertRaises(FileNotFoundError, voxels.save, os.path.join(self.folder, "no", "x.npy"))
+        self.assertRaisesRegex(FileNotFoundError, "no/x.npy'$", voxels.save, os.path.join(self.folder, "no", "x.npy"))
         self.assertRaises(TypeError, voxels.save, 3)
 
 
