@@ -29,7 +29,10 @@ struct ply_faces {
     face_mark *marks;
 };
 
-/* A walk over faces: the last one, and where the next begins. */
+/*
+ * A walk over faces: the last one, and where the next begins. The scanner of scan.h would find them as well, but it notes where
+ * each corner stands: a partition took 1.3 times the instructions, and half as long again.
+ */
 typedef struct ply_walk {
     const struct ply_faces *f;
     uint64_t at, count, triangles, miscut;
