@@ -12,12 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "common/box_scenes.h"
 #include "common/rivals.h"
-#include "console/clock.h"
 #include "console/system.h"
 #include "voxelize/voxel_task.h"
 
@@ -59,13 +57,6 @@ typedef struct found {
     uint64_t cells, bricks, sum; /* 0 where it is not known */
     uint64_t missed, untrue;     /* cells, compared with the truth */
 } found;
-
-static double cpu_seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* VmRSS or VmHWM of the process: now, or at the most. NAN where there is no /proc. */
 static double megabytes_of(const char *name)
@@ -262,7 +253,7 @@ static bool run_bricks(work *w, const tribox_sink *sink, const tribox_ids_sink *
 {
     const uint32_t side = w->tile ? w->tile : sink ? TILE : TILE_OF_IDS;
     const tribox_tiles all = {side, 0, tribox_tile_count(w->grid.size, side)};
-    const double begin = cpu_seconds();
+    const double begin = timing_seconds(false);
     tribox_report report = {0, 0};
     size_t *const starts = malloc((all.count + 1) * sizeof *starts);
     bool is = starts && !tribox_tile_lists(w->soup, &w->grid, &all, &w->options, starts, NULL);
@@ -273,7 +264,7 @@ static bool run_bricks(work *w, const tribox_sink *sink, const tribox_ids_sink *
     void *const scratch = malloc(bytes);
     uint32_t *const list = is ? malloc((starts[all.count] + 1) * sizeof *list) : NULL;
     is = list && scratch && !tribox_tile_lists(w->soup, &w->grid, &all, &w->options, starts, list);
-    w->listing = cpu_seconds() - begin;
+    w->listing = timing_seconds(false) - begin;
     is = is && !(sink    ? tribox_bricks(w->soup, &w->grid, &all, starts, list, &w->options, scratch, sink, &report)
                  : lists ? tribox_bricks_lists(w->soup, &w->grid, &all, starts, list, &w->options, scratch, lists, &report)
                          : tribox_bricks_ids(w->soup, &w->grid, &all, starts, list, &w->options, scratch, ids, &report));
@@ -375,9 +366,9 @@ static bool run_once(const way *as, work *w, unsigned limit, double *seconds)
     if (w->bits && !(as->needs & NEEDS_SURFACE))
         memset(w->bits, 0, w->words * sizeof *w->bits);
     alarm(as->needs & IS_ROUNDED && !(as->needs & IS_FAST) ? limit : 0);
-    const double begin = as->needs & HAS_THREADS ? clock_seconds() : cpu_seconds();
+    const double begin = timing_seconds(as->needs & HAS_THREADS);
     const bool is = as->run(w);
-    *seconds = (as->needs & HAS_THREADS ? clock_seconds() : cpu_seconds()) - begin;
+    *seconds = timing_seconds(as->needs & HAS_THREADS) - begin;
     alarm(0);
     return is;
 }

@@ -91,14 +91,6 @@ bool mesh_list_read_indexed(const char *path, indexed_mesh *m)
     return true;
 }
 
-int mesh_list_take(mesh_list *list, const char *path)
-{
-    if (list->count == MESH_LIST_MAX)
-        return message_usage("'%s' is one mesh too many: give %d at most", path, MESH_LIST_MAX);
-    list->path[list->count++] = path;
-    return EXIT_CODE_OK;
-}
-
 static int whole_read(const char *text, asked_option o, uint64_t *number)
 {
     char *end;
@@ -141,7 +133,7 @@ static int take(void *into, int which, const char *value)
     asked *const q = r->q;
     size_t index;
     if (which == OPTION_OPERAND)
-        return r->of->takes_meshes ? mesh_list_take(&q->meshes, value) : message_usage("unexpected '%s'", value);
+        return r->of->takes_meshes ? EXIT_CODE_OK : message_usage("unexpected '%s'", value);
     if (!((FOR_ALL | r->of->options) >> which & 1))
         return message_usage("unknown option '--%s'", table[which].name);
     q->given |= UINT64_C(1) << which;
@@ -234,7 +226,8 @@ int asked_main(int argc, char **argv, const bench_question *const *questions, si
         return code;
     if (found.wants_help)
         return print_help(program, of);
-    if (of->needs_meshes && !q->meshes.count)
+    q->meshes = (mesh_list){found.operands, found.count};
+    if (of->needs_meshes && !found.count)
         return message_usage("name a mesh file");
     q->seed = asked_number(q, OPTION_SEED, 1);
     q->order = (generator){~q->seed};

@@ -7,14 +7,10 @@
 #include "timing/timing.h"
 
 /* Meshes of the command line: files, or names in the folder $TRIBOX_MESHES. */
-enum { MESH_LIST_MAX = 64 };
 typedef struct mesh_list {
-    const char *path[MESH_LIST_MAX];
+    const char *const *path;
     size_t count;
 } mesh_list;
-
-/* Returns an exit_code. */
-int mesh_list_take(mesh_list *list, const char *path);
 
 /* The name without its folder. */
 const char *mesh_list_name(const char *path);

@@ -10,8 +10,7 @@
 
 /* ---- soups and boxes --------------------------------------------------------------------------------------------------------- */
 
-static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
-enum { USUAL = sizeof usual / sizeof usual[0], TORUS_LONG = 500, TORUS_AROUND = 200 };
+enum { TORUS_LONG = 500, TORUS_AROUND = 200 };
 
 static bool has_room(scene *made, size_t triangles)
 {
@@ -146,19 +145,20 @@ tribox_grid scene_grid(const scene *at, uint32_t along)
     return grid;
 }
 
-static void take_usual(mesh_list *list)
+static mesh_list usual_meshes(void)
 {
+    static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
     const char *const folder = getenv("TRIBOX_MESHES");
-    if (!folder || !*folder)
-        message_say("no meshes: name some, or a folder with them in TRIBOX_MESHES; skipped");
-    for (int k = 0; folder && *folder && k < USUAL; k++)
-        mesh_list_take(list, usual[k]);
+    if (folder && *folder)
+        return (mesh_list){usual, sizeof usual / sizeof usual[0]};
+    message_say("no meshes: name some, or a folder with them in TRIBOX_MESHES; skipped");
+    return (mesh_list){NULL, 0};
 }
 
 bool scenes_ask(asked *q, unsigned kinds, size_t terrain, scene_answer *ask)
 {
     if (kinds & SCENES_USUAL && !q->meshes.count && !asked_has(q, OPTION_QUICK))
-        take_usual(&q->meshes);
+        q->meshes = usual_meshes();
     const size_t made = kinds & SCENES_MADE && !asked_has(q, OPTION_NO_SCENES) ? MADE_SCENES : 0, named = made + q->meshes.count;
     bool is_right = true;
     for (size_t k = 0; is_right && k < named + (terrain > 0); k++) {

@@ -342,27 +342,26 @@ static bool has_fine_thread_time(void)
     return !clock_getres(CLOCK_THREAD_CPUTIME_ID, &step) && !step.tv_sec && step.tv_nsec <= 1000;
 }
 
-/* Of the processor, which other work does not move as it moves those of the clock; of the clock where threads share the work. */
-static double seconds_now(const contestant *one)
+double timing_seconds(bool has_threads)
 {
     struct timespec now;
-    if (one->has_threads || !has_fine_thread_time() || clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now))
+    if (has_threads || !has_fine_thread_time() || clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now))
         return clock_seconds();
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 static double seconds_for(const contestant *one, size_t runs, uint64_t *mask)
 {
-    double seconds = 0, begin = seconds_now(one);
+    double seconds = 0, begin = timing_seconds(one->has_threads);
     for (size_t i = 0; i < runs; i++) {
         if (one->prepare) {
-            seconds += seconds_now(one) - begin;
+            seconds += timing_seconds(one->has_threads) - begin;
             one->prepare(one, mask);
-            begin = seconds_now(one);
+            begin = timing_seconds(one->has_threads);
         }
         one->run(one, mask, NULL);
     }
-    return seconds + seconds_now(one) - begin;
+    return seconds + timing_seconds(one->has_threads) - begin;
 }
 
 /* Runs that last long enough, by the better of two tries: one interruption must not leave a contestant with short samples. */

@@ -151,6 +151,9 @@ bool verify(const contestant *list, size_t count, const truth *from, score *scor
 
 /* ---- measuring --------------------------------------------------------------------------------------------------------------- */
 
+/* Of the processor, which other work does not move as it moves those of the clock; of the clock where threads share the work. */
+double timing_seconds(bool has_threads);
+
 typedef struct effort {
     size_t rounds;  /* at most; one more is run first and dropped */
     double seconds; /* start no further round after this, but measure MEASURE_LEAST */
