@@ -23,8 +23,7 @@ static float bounds[6][PAIRS], placed[PAIRS][2][3];
 
 static bool make_pairs(void)
 {
-    size_t index;
-    if (!scene_find("paper", &index) || !scene_make(index, 1, false, &paper))
+    if (!scene_make("paper", 1, false, &paper))
         return false;
     for (size_t i = 0; i < 3 * PAIRS; i++) {
         const float center = paper.work.triangles[PAIRS + i / 3][0][i % 3] / 2, half = 0.5f;

@@ -538,31 +538,21 @@ static bool ask_scene(asked *q, const scene *at, ways of, bool has_truth)
     return is_right;
 }
 
-static size_t scenes;
+static bool ask_bits(asked *q, scene *at) { return ask_scene(q, at, to_bits, true); }
 
-static bool ask_bits(asked *q, scene *at, size_t number)
-{
-    scenes = number + 1;
-    return ask_scene(q, at, to_bits, true);
-}
-
-static bool ask_answers(asked *q, scene *at, size_t number)
-{
-    scenes = number + 1;
-    return ask_scene(q, at, to_answers, false);
-}
+static bool ask_answers(asked *q, scene *at) { return ask_scene(q, at, to_answers, false); }
 
 static void tell_means(asked *q, ways of)
 {
     char cells[ASKED_CELLS][16];
     if (q->text[OPTION_FILTER])
         return;
-    printout_table(&q->out, "geometric means over %zu scenes, times %s, by cells", scenes, of.list[0].name);
+    printout_table(&q->out, "geometric means over %zu scenes, times %s, by cells", q->scenes, of.list[0].name);
     for (size_t k = 1; k < of.count; k++) {
         ADD(&q->out, TEXT("way", of.list[k].name));
         for (size_t n = 0; n < q->cell_counts; n++) {
             snprintf(cells[n], sizeof cells[n], "%u", q->cells[n]);
-            ADD(&q->out, NUMBER(cells[n], 3, exp(logarithm[n][k] / (double)scenes)));
+            ADD(&q->out, NUMBER(cells[n], 3, exp(logarithm[n][k] / (double)q->scenes)));
         }
         printout_row(&q->out);
     }

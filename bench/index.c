@@ -349,12 +349,11 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------------------- */
 
-static bool ask_scene(asked *q, scene *at, size_t number)
+static bool ask_scene(asked *q, scene *at)
 {
     static scene_result result;
     scene_result *const r = &result;
     const bool is_quick = asked_has(q, OPTION_QUICK);
-    (void)number;
     const size_t count = at->work.pairs, boxes = (size_t)asked_number(q, OPTION_BOXES, is_quick ? 20 : 100);
     const effort how = {
         .rounds = (size_t)asked_number(q, OPTION_ROUNDS, is_quick ? 3 : 9), .seconds = 1e9, .sample = sample_seconds};

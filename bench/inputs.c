@@ -12,15 +12,14 @@
 #include <string.h>
 
 #include "cgal_peer.h"
-#include "common/asked.h"
+#include "common/box_scenes.h"
 #include "common/draw.h"
 #include "common/rivals.h"
-#include "common/soups.h"
 
 /* ---- a scene in every form ------------------------------------------------------------------------------------------------- */
 
 /* Of floats, and of doubles. */
-typedef enum form { FLAT, WIDE, NARROW, NINE, INDEXED, FORMS } form;
+typedef enum form { FLAT, WIDE, NARROW, NINE, INDEXED, MESH_FORMS } form;
 
 /* A vertex for each corner; or half as many as triangles, as meshes have them: any of them, or one that is near in number. */
 typedef enum corners { OWN, ANY, NEAR } corners;
@@ -58,7 +57,7 @@ enum { NEARNESS = 32, STAGED = 20000, PEER_TRIANGLES = 16384 /* CGAL takes secon
 
 typedef struct forms {
     scene at;
-    tribox_mesh mesh[FORMS]; /* without triangles where a form is not there */
+    tribox_mesh mesh[MESH_FORMS]; /* without triangles where a form is not there */
     tribox_box box;          /* of the doubles */
     float *streams;          /* room for nine */
     uint64_t *inside;        /* room for a mask */
@@ -144,10 +143,9 @@ static void make_doubles(const recipe *from, generator *g, forms *f)
 
 static bool make_forms(const recipe *from, uint64_t seed, bool has_doubles, forms *f)
 {
-    size_t index;
     generator g = {seed + 1};
     *f = (forms){.streams = NULL};
-    if (!scene_find(from->scene, &index) || !scene_make(index, seed, false, &f->at))
+    if (!scene_make(from->scene, seed, false, &f->at))
         return false;
     make_floats(from, &g, f);
     if (has_doubles)
@@ -506,9 +504,11 @@ static size_t enter_peers(const timing_work *work, contestant *list)
     return count;
 }
 
-static bool ask_peers(asked *q, const scene *at, const contestant *list, size_t count)
+static bool ask_peers(asked *q, scene *at)
 {
-    const size_t pairs = at->work.pairs, words = at->work.words, kernels = count - CGAL_WAYS;
+    timing_work_shorten(&at->work, PEER_TRIANGLES);
+    contestant list[CONTESTANTS_MAX];
+    const size_t count = enter_peers(&at->work, list), pairs = at->work.pairs, words = at->work.words, kernels = count - CGAL_WAYS;
     size_t avx2 = 0;
     uint64_t *const exact = asked_allocate(words, sizeof *exact), *const other = asked_allocate(words, sizeof *other);
     const truth from = truth_of_work(&at->work);
@@ -534,36 +534,17 @@ static bool ask_peers(asked *q, const scene *at, const contestant *list, size_t 
     }
     if (is_timed)
         printout_disturbed(&q->out, &q->taken);
+    for (size_t c = kernels; c < count; c++)
+        free_peer(&list[c]);
     return is_right;
 }
 
 static bool answer_cgal(asked *q)
 {
-    static const char *const scenes[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",
-                                         "touching-ulp", "offset", "needles", "caps"};
-    const char *const only = q->text[OPTION_SCENE];
-    bool is_right = true;
     if (!cgal_version)
         return message_failure("built without CGAL (Debian: libcgal-dev)") == EXIT_CODE_OK;
     printout_note(&q->out, "CGAL       %s, in C++17 with -O3 and without its assertions", cgal_version());
-    for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {
-        contestant list[CONTESTANTS_MAX];
-        scene at;
-        size_t index;
-        if (only && strcmp(only, scenes[k]) != 0)
-            continue;
-        if (!scene_find(scenes[k], &index) || !scene_make(index, q->seed, false, &at))
-            return false;
-        void *const mark = asked_mark();
-        timing_work_shorten(&at.work, PEER_TRIANGLES);
-        const size_t count = enter_peers(&at.work, list);
-        is_right = ask_peers(q, &at, list, count) && is_right;
-        for (size_t c = count - CGAL_WAYS; c < count; c++)
-            free_peer(&list[c]);
-        scene_free(&at);
-        asked_release(mark);
-    }
-    return is_right;
+    return scenes_ask_named(q, scenes_of_contact, SCENES_OF_CONTACT, false, ask_peers);
 }
 
 const bench_question question_inputs = {.name = "inputs",

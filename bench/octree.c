@@ -217,11 +217,10 @@ static void make_cube(const scene *at, octree *o)
     }
 }
 
-static bool ask_scene(asked *q, scene *at, size_t number)
+static bool ask_scene(asked *q, scene *at)
 {
     const size_t count = at->work.pairs;
     bool is_run = timing_work_mesh(&at->work) || message_failure("not enough memory") == EXIT_CODE_OK;
-    (void)number;
     octree o = {.soup = at->work.jobs[0].soup,
                 .mesh = at->work.mesh,
                 .triangles = at->work.triangles,

@@ -3,9 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "common/asked.h"
+#include "common/box_scenes.h"
 #include "common/rivals.h"
-#include "common/soups.h"
 #include "paper/paper.h"
 #include "read/mesh.h"
 
@@ -91,7 +90,7 @@ static void tell_row(asked *q, const scene *at, const contestant *list, size_t c
         NUMBER("unlike_EXACT", 0, is_answer ? (double)score_unlike(&q->scores[c]) : (double)NAN));
 }
 
-static bool ask_about(asked *q, const scene *at)
+static bool ask_about(asked *q, scene *at)
 {
     contestant list[CONTESTANTS_MAX];
     const truth from = truth_of_work(&at->work);
@@ -164,19 +163,10 @@ static bool ask_mesh(asked *q, const char *path)
 
 static bool answer(asked *q)
 {
-    const char *const only = q->text[OPTION_SCENE];
-    size_t one;
-    bool is_right = !only || scene_find(only, &one);
+    bool is_right = true;
     for (size_t k = 0; is_right && k < q->meshes.count; k++)
         is_right = ask_mesh(q, q->meshes.path[k]);
-    for (size_t i = 0; is_right && (only || !q->meshes.count) && i < scene_count(); i++) {
-        scene at;
-        if (only ? i != one : !scene_is_usual(i))
-            continue;
-        is_right = scene_make(i, q->seed, true, &at) && ask_about(q, &at);
-        scene_free(&at);
-    }
-    return is_right;
+    return is_right && scenes_ask_named(q, NULL, q->meshes.count ? 0 : SIZE_MAX, true, ask_about);
 }
 
 const bench_question question_ratios = {.name = "ratios",

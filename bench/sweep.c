@@ -6,10 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/soups.h"
+#include "common/box_scenes.h"
 #include "console/accuracy.h"
 #include "paper/paper.h"
-#include "common/asked.h"
 #include "read/mesh.h"
 #include "sweep/sweep.h"
 
@@ -120,15 +119,10 @@ static bool ask_about(asked *q, const char *name, const char *what, const timing
     return true;
 }
 
-static bool ask_scene(asked *q, size_t index)
+static bool ask_scene(asked *q, scene *at)
 {
-    scene at;
-    if (!scene_make(index, q->seed, true, &at))
-        return false;
-    timing_work_shorten(&at.work, (size_t)asked_number(q, OPTION_SIZE, asked_has(q, OPTION_QUICK) ? 65536 : SIZE_MAX));
-    const bool is_right = ask_about(q, at.name, at.what, &at.work);
-    scene_free(&at);
-    return is_right;
+    timing_work_shorten(&at->work, (size_t)asked_number(q, OPTION_SIZE, asked_has(q, OPTION_QUICK) ? 65536 : SIZE_MAX));
+    return ask_about(q, at->name, at->what, &at->work);
 }
 
 static bool ask_mesh(asked *q, const char *path)
@@ -154,14 +148,8 @@ static bool ask_mesh(asked *q, const char *path)
 
 static bool answer(asked *q)
 {
-    static const char *const usual[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",
-                                        "touching-ulp", "offset", "needles", "caps",       "thin"};
-    const char *const one = q->text[OPTION_SCENE];
-    const size_t count = one ? 1 : asked_has(q, OPTION_NO_SCENES) ? 0 : sizeof usual / sizeof usual[0];
-    bool is_right = true;
-    size_t index;
-    for (size_t k = 0; is_right && k < count; k++)
-        is_right = scene_find(one ? one : usual[k], &index) && ask_scene(q, index);
+    const size_t count = asked_has(q, OPTION_NO_SCENES) ? 0 : SCENES_OF_CONTACT + 1;
+    bool is_right = scenes_ask_named(q, scenes_of_contact, count, true, ask_scene);
     for (size_t k = 0; is_right && k < q->meshes.count; k++)
         is_right = ask_mesh(q, q->meshes.path[k]);
     return is_right;

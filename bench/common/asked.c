@@ -131,7 +131,6 @@ static int take(void *into, int which, const char *value)
 {
     const reading *const r = into;
     asked *const q = r->q;
-    size_t index;
     if (which == OPTION_OPERAND)
         return r->of->takes_meshes ? EXIT_CODE_OK : message_usage("unexpected '%s'", value);
     if (!((FOR_ALL | r->of->options) >> which & 1))
@@ -146,7 +145,7 @@ static int take(void *into, int which, const char *value)
         return q->kernel ? EXIT_CODE_OK : message_usage("--kernel: there is no '%s' here; see tribox info", value);
     }
     if (which == OPTION_SCENE)
-        return scene_find(value, &index) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
+        return scene_is_known(value) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
     return table[which].most ? whole_read(value, (asked_option)which, &q->number[which]) : EXIT_CODE_OK;
 }
 

@@ -59,6 +59,7 @@ typedef struct asked {
     uint32_t cells[ASKED_CELLS];
     size_t cell_counts;
     mesh_list meshes;
+    size_t scenes;   /* asked about so far, with the one in question */
     generator order; /* of the turns */
     printout out;
     samples taken; /* by asked_measure */

@@ -155,6 +155,24 @@ static mesh_list usual_meshes(void)
     return (mesh_list){NULL, 0};
 }
 
+const char *const scenes_of_contact[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",
+                                         "touching-ulp", "offset", "needles", "caps",       "thin"};
+
+bool scenes_ask_named(asked *q, const char *const *names, size_t count, bool has_boxes, scene_answer *ask)
+{
+    const char *const only = q->text[OPTION_SCENE], *name;
+    bool is_right = true;
+    for (size_t k = 0; is_right && k < (only ? 1 : count) && (name = only ? only : names ? names[k] : scene_usual(k)); k++) {
+        void *const mark = asked_mark();
+        scene at;
+        q->scenes++;
+        is_right = scene_make(name, q->seed, has_boxes, &at) && ask(q, &at);
+        scene_free(&at);
+        asked_release(mark);
+    }
+    return is_right;
+}
+
 bool scenes_ask(asked *q, unsigned kinds, size_t terrain, scene_answer *ask)
 {
     if (kinds & SCENES_USUAL && !q->meshes.count && !asked_has(q, OPTION_QUICK))
@@ -164,10 +182,11 @@ bool scenes_ask(asked *q, unsigned kinds, size_t terrain, scene_answer *ask)
     for (size_t k = 0; is_right && k < named + (terrain > 0); k++) {
         void *const mark = asked_mark();
         scene at = {.name = NULL};
+        q->scenes++;
         is_right = (k < made    ? make_shape(k, q->seed, &at)
                     : k < named ? scene_read(q->meshes.path[k - made], &at)
                                 : make_terrain(terrain, q->seed, &at)) &&
-                   ask(q, &at, k);
+                   ask(q, &at);
         scene_free(&at);
         asked_release(mark);
     }

@@ -11,7 +11,17 @@ bool scene_read(const char *path, scene *made);
 /* The grid of so many cubes along the longest side of its box. */
 tribox_grid scene_grid(const scene *at, uint32_t along);
 
-typedef bool scene_answer(asked *q, scene *at, size_t number);
+typedef bool scene_answer(asked *q, scene *at);
+
+/*
+ * Asks about the scene of the command line, or else about `count` of `names`, which are the usual ones if it is NULL; with many
+ * boxes as scene_make has them.
+ */
+bool scenes_ask_named(asked *q, const char *const *names, size_t count, bool has_boxes, scene_answer *ask);
+
+/* The nine scenes of most contact, for comparisons of answers, and `thin`. */
+enum { SCENES_OF_CONTACT = 9 };
+extern const char *const scenes_of_contact[SCENES_OF_CONTACT + 1];
 
 /*
  * Asks about three shapes that are made here, if they are of the kinds; about the meshes of the command line; and about a terrain

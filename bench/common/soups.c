@@ -63,9 +63,7 @@ static const struct recipe {
 };
 enum { SCENES = sizeof recipes / sizeof recipes[0], FOR_ORDERS = 8 /* the last ones */ };
 
-size_t scene_count(void) { return SCENES; }
-
-bool scene_is_usual(size_t index) { return index < SCENES - FOR_ORDERS; }
+const char *scene_usual(size_t index) { return index < SCENES - FOR_ORDERS ? recipes[index].name : NULL; }
 
 enum { BATCH = 4096 };
 
@@ -160,16 +158,18 @@ static bool draw_all(const struct recipe *recipe, generator *g, triangle *triang
     return is_drawn;
 }
 
-bool scene_find(const char *name, size_t *index)
+static const struct recipe *find(const char *name)
 {
-    for (*index = 0; *index < SCENES; ++*index)
-        if (!strcmp(name, recipes[*index].name))
-            return true;
+    for (size_t s = 0; s < SCENES; s++)
+        if (!strcmp(name, recipes[s].name))
+            return &recipes[s];
     fprintf(stderr, "bench: unknown scene '%s'; the scenes are:\n", name);
     for (size_t s = 0; s < SCENES; s++)
         fprintf(stderr, "  %-12s %s\n", recipes[s].name, recipes[s].what);
-    return false;
+    return NULL;
 }
+
+bool scene_is_known(const char *name) { return find(name); }
 
 /* Vertices on tenths, which floats round: boxes lie on them, too. */
 static bool is_of_tenths(const struct recipe *r) { return r->draw == draw_tenths || r->draw == draw_cad_tenths; }
@@ -186,13 +186,16 @@ static tribox_box draw_box(generator *g)
     return box;
 }
 
-bool scene_make(size_t index, uint64_t seed, bool has_boxes, scene *made)
+bool scene_make(const char *name, uint64_t seed, bool has_boxes, scene *made)
 {
-    const struct recipe *const recipe = &recipes[index];
+    const struct recipe *const recipe = find(name);
+    *made = (scene){.name = name};
+    if (!recipe)
+        return false;
     const bool is_many = has_boxes && is_of_tenths(recipe);
     const size_t boxes = is_many ? SCENE_BOXES : 1, each = recipe->count / boxes;
     generator g = {seed};
-    *made = (scene){.name = recipe->name, .what = recipe->what};
+    made->what = recipe->what;
     if (!timing_work_make(&made->work, boxes, boxes * timing_work_room(each)) || !draw_all(recipe, &g, made->work.triangles)) {
         fprintf(stderr, "bench: cannot make scene %s of %zu triangles: out of memory, or tribox_overlap failed\n", recipe->name,
                 recipe->count);

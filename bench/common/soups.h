@@ -11,19 +11,17 @@ typedef struct scene {
         work; /* one job; of a mesh one for each cell, of rounded ties one for each of SCENE_BOXES boxes, if they are asked for */
 } scene;
 
-size_t scene_count(void);
+/* The names of those that are not made for the order of the axes alone, one after another; then NULL. */
+const char *scene_usual(size_t index);
 
-/* Not made for the order of the axes alone. */
-bool scene_is_usual(size_t index);
-
-/* Finds a scene by its name. False, with a list of the scenes on stderr, if there is none of that name. */
-bool scene_find(const char *name, size_t *index);
+/* False, with a list of the scenes on stderr, if there is none of that name. */
+bool scene_is_known(const char *name);
 
 /* How often rounding loses a tie depends on the box: one box says little of others. Each has whole lines of triangles. */
 enum { SCENE_BOXES = 125 };
 
-/* Makes a scene; has_boxes: of rounded ties with many boxes. False, with a message on stderr, if memory or the library fails. */
-bool scene_make(size_t index, uint64_t seed, bool has_boxes, scene *made);
+/* Makes a scene; has_boxes: of rounded ties with many boxes. False, with a message on stderr, where it fails. */
+bool scene_make(const char *name, uint64_t seed, bool has_boxes, scene *made);
 
 void scene_free(scene *made);
 

@@ -366,9 +366,8 @@ static void tell_errors(printout *out, const field *f, size_t boxes, size_t hits
     }
 }
 
-static bool run_scene(asked *q, scene *at, size_t number)
+static bool run_scene(asked *q, scene *at)
 {
-    (void)number;
     const size_t count = (size_t)asked_number(q, OPTION_BOXES, asked_has(q, OPTION_VERIFY) ? 5 : 50);
     field f;
     peer_errors unlike[PEERS_MAX] = {{0}};
