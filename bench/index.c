@@ -86,19 +86,16 @@ static bool make_meshes(field *f)
     return vertices;
 }
 
-/* The boxes' own size, turned by 0.5 about x, then by 0.7 about z; an ulp of double smaller; and with the mesh far away. */
+/* The boxes' own size, turned; an ulp of double smaller; and with the mesh far away. */
 static void make_boxes(field *f, int size, uint64_t seed)
 {
-    const float c = 0.76484219f, s = 0.64421769f, e = 0.87758256f, d = 0.47942554f;
     double by[3];
     far_away(f, by);
     scene_boxes(f->scene, box_part[size], f->count, seed + (uint64_t)size, f->boxes);
     for (size_t b = 0; b < f->count; b++) {
-        f->turned[b] = (tribox_oriented_box){.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
+        f->turned[b] = scene_turned(&f->boxes[b], SCENE_TURN);
         for (int a = 0; a < 3; a++) {
             const double lo = f->boxes[b].lo[a], hi = f->boxes[b].hi[a];
-            f->turned[b].center[a] = (float)lo / 2 + (float)hi / 2;
-            f->turned[b].half[a] = (float)hi / 2 - (float)lo / 2;
             f->wide[b].lo[a] = nextafter(lo, hi);
             f->wide[b].hi[a] = nextafter(hi, lo);
             f->moved[b].lo[a] = lo + by[a];

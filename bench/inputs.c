@@ -58,9 +58,9 @@ enum { NEARNESS = 32, STAGED = 20000, PEER_TRIANGLES = 16384 /* CGAL takes secon
 typedef struct forms {
     scene at;
     tribox_mesh mesh[MESH_FORMS]; /* without triangles where a form is not there */
-    tribox_box box;          /* of the doubles */
-    float *streams;          /* room for nine */
-    uint64_t *inside;        /* room for a mask */
+    tribox_box box;               /* of the doubles */
+    float *streams;               /* room for nine */
+    uint64_t *inside;             /* room for a mask */
 } forms;
 
 /* What a contestant answers: a form of the scene. */
@@ -206,20 +206,13 @@ CONTESTANT_RUN(run_any)
     return is_answered;
 }
 
-/* The box of the scene turned about x by an angle of which e is the cosine and d the sine, then by 0.7 about z. */
 static bool run_turned(const contestant *self, float e, float d, uint64_t *mask, tribox_report *report)
 {
-    const float c = 0.76484219f, s = 0.64421769f;
-    tribox_oriented_box box = {.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
-    for (int a = 0; a < 3; a++) {
-        const double lo = job_of(self)->box.lo[a], hi = job_of(self)->box.hi[a];
-        box.center[a] = (lo + hi) / 2;
-        box.half[a] = (hi - lo) / 2;
-    }
+    const tribox_oriented_box box = scene_turned(&job_of(self)->box, e, d);
     return !tribox_overlap_oriented(&job_of(self)->soup, &box, &self->options, mask, report);
 }
 
-CONTESTANT_RUN(run_oriented) { return run_turned(self, 0.87758256f, 0.47942554f, mask, report); }
+CONTESTANT_RUN(run_oriented) { return run_turned(self, SCENE_TURN, mask, report); }
 
 /* Its lower side stays in its plane, and so do triangles of scenes of contact. */
 CONTESTANT_RUN(run_about_z) { return run_turned(self, 1, 0, mask, report); }

@@ -113,36 +113,17 @@ static bool ask_about(asked *q, scene *at)
     return true;
 }
 
-/* A share of each side, about the middle. */
-static tribox_box box_in(const indexed_mesh *m, double share)
-{
-    const float *const positions = m->positions.of;
-    tribox_box box;
-    for (int a = 0; a < 3; a++) {
-        double lo = INFINITY, hi = -INFINITY;
-        for (size_t v = 0; v < m->positions.count; v++) {
-            lo = fmin(lo, (double)positions[3 * v + (size_t)a]);
-            hi = fmax(hi, (double)positions[3 * v + (size_t)a]);
-        }
-        box.lo[a] = (lo + hi) / 2 - (hi - lo) / 2 * share;
-        box.hi[a] = (lo + hi) / 2 + (hi - lo) / 2 * share;
-    }
-    return box;
-}
-
 /* With the vertices and the order of the file. */
 static bool make_mesh(const indexed_mesh *m, double share, scene *at)
 {
     const float *const positions = m->positions.of;
     const uint32_t *const corners = m->corners.of;
     const size_t triangles = m->corners.count / 3;
-    if (!timing_work_make(&at->work, 1, timing_work_room(triangles)))
-        return message_failure("out of memory for %zu triangles", triangles) == EXIT_CODE_OK;
+    if (!scene_room(at, triangles))
+        return false;
     for (size_t corner = 0; corner < 3 * triangles; corner++)
         memcpy(at->work.triangles[corner / 3][corner % 3], positions + 3 * (size_t)corners[corner], 3 * sizeof(float));
-    const timing_job job = timing_work_soup(&at->work, triangles);
-    const tribox_box box = box_in(m, share);
-    timing_work_add(&at->work, &job, &box);
+    scene_add(at, triangles, share);
     at->work.mesh = (tribox_mesh){
         .positions = positions, .vertices = m->positions.count, .indices = corners, .index_bytes = 4, .count = triangles};
     return true;

@@ -12,32 +12,13 @@
 
 enum { TORUS_LONG = 500, TORUS_AROUND = 200 };
 
-static bool has_room(scene *made, size_t triangles)
-{
-    return timing_work_make(&made->work, 1, timing_work_room(triangles)) ||
-           message_failure("out of memory for %zu triangles", triangles) == EXIT_CODE_OK;
-}
-
-/* What has been written to its triangles is one job, against its bounds. */
-static void add_whole(scene *made, size_t count)
-{
-    const timing_job job = timing_work_soup(&made->work, count);
-    tribox_box bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (size_t k = 0; k < 9 * count; k++) {
-        const double x = (double)job.triangles[k / 9][k / 3 % 3][k % 3];
-        bounds.lo[k % 3] = fmin(bounds.lo[k % 3], x);
-        bounds.hi[k % 3] = fmax(bounds.hi[k % 3], x);
-    }
-    timing_work_add(&made->work, &job, &bounds);
-}
-
 bool scene_read(const char *path, scene *made)
 {
     mesh m;
     if (!mesh_list_read(path, &m))
         return false;
     *made = (scene){.name = mesh_list_name(path), .what = "a mesh"};
-    const bool is_made = has_room(made, m.soup.count);
+    const bool is_made = scene_room(made, m.soup.count);
     size_t kept = 0;
     for (size_t i = 0; is_made && i < m.soup.count; i++) {
         float(*const u)[3] = made->work.triangles[kept], sum = 0;
@@ -48,7 +29,7 @@ bool scene_read(const char *path, scene *made)
         kept += sum == 0; /* the peers know finite ones alone */
     }
     if (is_made)
-        add_whole(made, kept);
+        scene_add(made, kept, 1);
     mesh_free(&m);
     return is_made;
 }
@@ -68,25 +49,11 @@ static void terrain_vertex(generator *g, size_t i, size_t j, size_t side, float 
 
 static bool make_terrain(size_t triangles, uint64_t seed, scene *made)
 {
-    const size_t side = triangles > 2 ? (size_t)sqrt((double)triangles / 2) : 1;
-    generator g = {seed};
-    float(*const row)[3] = asked_allocate(2 * (side + 1), sizeof *row);
+    const size_t side = triangles > 2 ? (size_t)sqrt((double)triangles / 2) : 1, count = 2 * side * side;
     *made = (scene){.name = "terrain", .what = "a height field"};
-    if (!has_room(made, 2 * side * side))
+    if (!scene_room(made, count) || !draw_field(side, side, terrain_vertex, &(generator){seed}, made->work.triangles))
         return false;
-    for (size_t j = 0, to = 0; j <= side; j++) {
-        float(*const here)[3] = row + j % 2 * (side + 1), (*const before)[3] = row + (j + 1) % 2 * (side + 1);
-        for (size_t i = 0; i <= side; i++)
-            terrain_vertex(&g, i, j, side, here[i]);
-        for (size_t i = 0; j && i < side; i++)
-            for (size_t half = 0; half < 2; half++) {
-                float(*const u)[3] = made->work.triangles[to++];
-                memcpy(u[0], before[i], sizeof u[0]);
-                memcpy(u[1], half ? here[i + 1] : before[i + 1], sizeof u[1]);
-                memcpy(u[2], half ? here[i] : here[i + 1], sizeof u[2]);
-            }
-    }
-    add_whole(made, 2 * side * side);
+    scene_add(made, count, 1);
     return true;
 }
 
@@ -116,7 +83,7 @@ static bool make_shape(size_t which, uint64_t seed, scene *made)
     const size_t count = which == SCENE_HUGE ? 12 : 2 * TORUS_LONG * TORUS_AROUND;
     generator g = {seed};
     *made = (scene){.name = (const char *[]){"torus", "small", "huge"}[which], .what = "made here"};
-    if (!has_room(made, count))
+    if (!scene_room(made, count))
         return false;
     for (size_t i = 0; i < count; i++) {
         const int along = (int)(i / 2 / TORUS_AROUND), around = (int)(i / 2 % TORUS_AROUND), half = (int)(i % 2);
@@ -128,7 +95,7 @@ static bool make_shape(size_t which, uint64_t seed, scene *made)
         } else
             draw_reach(&g, which == SCENE_SMALL ? 0.01f : 1, u);
     }
-    add_whole(made, count);
+    scene_add(made, count, 1);
     return true;
 }
 
@@ -229,6 +196,17 @@ void scene_boxes(const scene *at, double part, size_t count, uint64_t seed, trib
             boxes[b].hi[a] = as_float(middle + half);
         }
     }
+}
+
+tribox_oriented_box scene_turned(const tribox_box *box, float e, float d)
+{
+    const float c = 0.76484219f, s = 0.64421769f;
+    tribox_oriented_box turned = {.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
+    for (int a = 0; a < 3; a++) {
+        turned.center[a] = (float)box->lo[a] / 2 + (float)box->hi[a] / 2;
+        turned.half[a] = (float)box->hi[a] / 2 - (float)box->lo[a] / 2;
+    }
+    return turned;
 }
 
 /* ---- order by cuts ----------------------------------------------------------------------------------------------------------- */

@@ -41,6 +41,12 @@ size_t scene_boxes_within(const scene *at, size_t pairs, size_t most);
 /* Cubes whose edge is `part` of the greatest extent, each around a random point of a random triangle. */
 void scene_boxes(const scene *at, double part, size_t count, uint64_t seed, tribox_box *boxes);
 
+/* The box in float, turned about x by an angle of which e is the cosine and d the sine, and then by 0.7 about z. */
+tribox_oriented_box scene_turned(const tribox_box *box, float e, float d);
+
+/* Cosine and sine of 0.5. */
+#define SCENE_TURN 0.87758256f, 0.47942554f
+
 /* In order by cuts. Refers to itself: it stays where it is made. What it has is asked_allocate's. */
 typedef struct ordered_soup {
     const tribox_soup *file;

@@ -1,10 +1,12 @@
 /* soups.c - draws the soups. */
 #include "soups.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/message.h"
 #include "draw.h"
 
 /* Sorted: by cuts, as a spatial tree would leave them. */
@@ -104,26 +106,30 @@ static bool draw_kept(const struct recipe *recipe, generator *g, timing_work *ba
     return true;
 }
 
-/* Two triangles to a square, row after row. */
-static bool draw_surface(size_t count, generator *g, triangle *triangles)
+bool draw_field(size_t along, size_t rows, draw_vertex *draw, generator *g, triangle *triangles)
 {
-    enum { ALONG = 1000 };
-    const size_t rows = count / 2 / ALONG;
-    float(*const vertex)[ALONG + 1][3] = malloc((rows + 1) * sizeof *vertex);
-    for (size_t j = 0; vertex && j <= rows; j++)
-        for (size_t i = 0; i <= ALONG; i++) {
-            const float x = 4 * (float)i / ALONG - 2, y = 4 * (float)j / (float)rows - 2;
-            memcpy(vertex[j][i], (const float[3]){x, y, (x * x - y * y) / 2 + random_between(g, -0.004f, 0.004f)},
-                   sizeof vertex[j][i]);
-        }
-    for (size_t t = 0; vertex && t < count; t++) {
-        const size_t i = t / 2 % ALONG, j = t / 2 / ALONG;
-        memcpy(triangles[t][0], vertex[j][i], sizeof triangles[t][0]);
-        memcpy(triangles[t][1], vertex[j + t % 2][i + 1], sizeof triangles[t][1]);
-        memcpy(triangles[t][2], vertex[j + 1][i + 1 - t % 2], sizeof triangles[t][2]);
+    float(*const row)[3] = malloc(2 * (along + 1) * sizeof *row);
+    for (size_t j = 0; row && j <= rows; j++) {
+        float(*const here)[3] = row + j % 2 * (along + 1), (*const before)[3] = row + (j + 1) % 2 * (along + 1);
+        for (size_t i = 0; i <= along; i++)
+            draw(g, i, j, along, here[i]);
+        for (size_t i = 0; j && i < along; i++)
+            for (size_t half = 0; half < 2; half++, triangles++) {
+                memcpy((*triangles)[0], before[i], sizeof before[i]);
+                memcpy((*triangles)[1], half ? here[i + 1] : before[i + 1], sizeof before[i]);
+                memcpy((*triangles)[2], half ? here[i] : here[i + 1], sizeof before[i]);
+            }
     }
-    free(vertex);
-    return vertex;
+    free(row);
+    return row;
+}
+
+/* A rough saddle, twice as many squares along as across. */
+static void surface_vertex(generator *g, size_t i, size_t j, size_t along, float u[3])
+{
+    u[0] = 4 * (float)i / (float)along - 2;
+    u[1] = 8 * (float)j / (float)along - 2;
+    u[2] = (u[0] * u[0] - u[1] * u[1]) / 2 + random_between(g, -0.004f, 0.004f);
 }
 
 static bool sort(triangle *triangles, size_t count)
@@ -147,7 +153,7 @@ static bool draw_all(const struct recipe *recipe, generator *g, triangle *triang
 {
     timing_work batch;
     if (!recipe->draw)
-        return draw_surface(recipe->count, g, triangles);
+        return draw_field(1000, recipe->count / 2000, surface_vertex, g, triangles);
     if (recipe->keep <= SORTED) {
         for (size_t i = 0; i < recipe->count; i++)
             recipe->draw(g, triangles[i]);
@@ -212,6 +218,29 @@ bool scene_make(const char *name, uint64_t seed, bool has_boxes, scene *made)
     fprintf(stderr, "bench: out of memory for the mesh of %s\n", recipe->name);
     scene_free(made);
     return false;
+}
+
+bool scene_room(scene *made, size_t triangles)
+{
+    return timing_work_make(&made->work, 1, timing_work_room(triangles)) ||
+           message_failure("out of memory for %zu triangles", triangles) == EXIT_CODE_OK;
+}
+
+void scene_add(scene *made, size_t count, double share)
+{
+    const timing_job job = timing_work_soup(&made->work, count);
+    tribox_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (size_t k = 0; k < 9 * count; k++) {
+        const double x = (double)job.triangles[k / 9][k / 3 % 3][k % 3];
+        box.lo[k % 3] = fmin(box.lo[k % 3], x);
+        box.hi[k % 3] = fmax(box.hi[k % 3], x);
+    }
+    for (int a = 0; a < 3; a++) {
+        const double off = (1 - share) / 2 * (box.hi[a] - box.lo[a]);
+        box.lo[a] += off;
+        box.hi[a] -= off;
+    }
+    timing_work_add(&made->work, &job, &box);
 }
 
 void scene_free(scene *made) { timing_work_free(&made->work); }

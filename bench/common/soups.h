@@ -25,4 +25,14 @@ bool scene_make(const char *name, uint64_t seed, bool has_boxes, scene *made);
 
 void scene_free(scene *made);
 
+/* For scenes of other kinds: room for triangles, false with a message where there is no memory for them; */
+bool scene_room(scene *made, size_t triangles);
+
+/* and what has been written to these as its one job, against a share of each side of its bounds, about the middle. */
+void scene_add(scene *made, size_t count, double share);
+
+/* Rows of `along` squares, two triangles to each, over vertices that are drawn row after row. False if memory fails. */
+typedef void draw_vertex(generator *g, size_t i, size_t j, size_t along, float u[3]);
+bool draw_field(size_t along, size_t rows, draw_vertex *draw, generator *g, float (*triangles)[3][3]);
+
 #endif
