@@ -142,7 +142,7 @@ static void tell(asked *q, const contestant *list, size_t of_each, size_t n)
 {
     const double by_paper = measure_least(&q->taken, n * of_each);
     char times[KERNELS_MOST + 1][24];
-    ADD(&q->out, NUMBER("count", 0, (double)counts[n]), NUMBER("paper", 1, by_paper));
+    ADD(&q->out, NUMBER("count", 0, counts[n]), NUMBER("paper", 1, by_paper));
     for (size_t c = 1; c < of_each; c++) {
         const char *const kernel = list[c].options.kernel;
         const double least = measure_least(&q->taken, n * of_each + c);

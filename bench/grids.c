@@ -455,21 +455,17 @@ static bool are_right(const asked *q, ways of, const work *w, const found least[
     return is || message_failure("the ways differ") == EXIT_CODE_OK;
 }
 
-static double or_nothing(double number, bool is_there) { return is_there ? number : (double)NAN; }
-
 static void tell(printout *out, const char *name, uint32_t resolution, const work *w, const way *as, const found *f,
                  const found *first)
 {
     const double cells = (double)(w->truth ? first->cells : f->cells), triangles = (double)w->soup->count;
     ROW(out, TEXT("way", as->name), TEXT_DATA("mesh", name), DATA("cells_along", resolution), DATA("triangles", triangles),
         NUMBER("ms", 2, 1e3 * f->warm), NUMBER("ms_in_new_memory", 2, 1e3 * f->fresh),
-        NUMBER("times_the_first's_ms", 2, or_nothing(f->warm / first->warm, first->warm > 0)),
-        NUMBER("ms_to_list_by_tile", 2, or_nothing(1e3 * f->listing, f->listing > 0)),
-        NUMBER("cells", 0, or_nothing((double)f->cells, f->cells)), DATA("bricks", or_nothing((double)f->bricks, f->bricks)),
-        NUMBER("ns_a_triangle", 1, 1e9 * f->warm / triangles),
-        NUMBER("ns_a_cell", 2, or_nothing(1e9 * f->fresh / cells, cells > 0)),
-        NUMBER("cells_unlike", 0,
-               or_nothing((double)(f->missed + f->untrue), w->truth && as->needs & NEEDS_BITS && !isnan(f->warm))),
+        NUMBER_IF(first->warm > 0, "times_the_first's_ms", 2, f->warm / first->warm),
+        NUMBER_IF(f->listing > 0, "ms_to_list_by_tile", 2, 1e3 * f->listing), NUMBER_IF(f->cells, "cells", 0, f->cells),
+        DATA("bricks", f->bricks ? (double)f->bricks : (double)NAN), NUMBER("ns_a_triangle", 1, 1e9 * f->warm / triangles),
+        NUMBER_IF(cells > 0, "ns_a_cell", 2, 1e9 * f->fresh / cells),
+        NUMBER_IF(w->truth && as->needs & NEEDS_BITS && !isnan(f->warm), "cells_unlike", 0, f->missed + f->untrue),
         NUMBER("MB", 1, f->megabytes));
 }
 

@@ -206,11 +206,11 @@ static void tell_builds(asked *q, const scene_result *r)
     for (kind k = OF_FILE; k < KINDS; k++) {
         if (k == TURNED || k == WIDE_BOXES)
             continue;
-        ADD(&q->out, TEXT("of", kind_names[k]), NUMBER("order", 1, k == OF_CUTS ? r->order : (double)NAN),
-            NUMBER("gather", 1, k == OF_CUTS ? r->gather : (double)NAN), NUMBER("build", 2, r->build[k]),
+        ADD(&q->out, TEXT("of", kind_names[k]), NUMBER_IF(k == OF_CUTS, "order", 1, r->order),
+            NUMBER_IF(k == OF_CUTS, "gather", 1, r->gather), NUMBER("build", 2, r->build[k]),
             NUMBER("times_reading", 2, r->build[k] / r->reading));
         for (int p = 0; p < BOX_SIZES; p++)
-            ADD(&q->out, NUMBER(paid[p], 0, k <= OF_CUTS ? pays_after(r, k, p) : (double)NAN));
+            ADD(&q->out, NUMBER_IF(k <= OF_CUTS, paid[p], 0, pays_after(r, k, p)));
         printout_row(&q->out);
     }
 }
@@ -336,7 +336,7 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
         list[c] = (contestant){.run = runs[c], .question = &m, .options = options, .pairs = (double)count};
     if (is_right) {
         asked_measure(q, "many", list, MANY_RUNS, NULL, how, 1);
-        ROW(&q->out, NUMBER("box_%", 1, 100 * box_part[size]), NUMBER("boxes", 0, (double)count),
+        ROW(&q->out, NUMBER("box_%", 1, 100 * box_part[size]), NUMBER("boxes", 0, count),
             NUMBER("as_drawn", 0, measure_least(&q->taken, AS_DRAWN)), NUMBER("in_order", 0, measure_least(&q->taken, IN_ORDER)),
             NUMBER("ordering", 0, measure_least(&q->taken, ORDERING)));
     }

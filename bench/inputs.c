@@ -363,9 +363,9 @@ static void tell_doubles(asked *q, const recipe *from, const forms *f, const con
         const bool is_double = k == DOUBLE_NINE || k == DOUBLE_INDEXED;
         ADD(&q->out, TEXT("triangles", k == PEER ? "CGAL's Epick" : list[k].name), TEXT_DATA("scene", from->name));
         printout_times(&q->out, &q->taken, k);
-        ROW(&q->out, NUMBER("times_floats", 3, is_double ? ns[k] / ns[k - DOUBLE_NINE + FLOAT_NINE] : (double)NAN),
-            NUMBER("times_reading", 3, is_double ? ns[k] / ns[k - DOUBLE_NINE + READ_NINE] : (double)NAN),
-            NUMBER("times_nine_doubles", 1, k == PEER ? ns[k] / ns[DOUBLE_NINE] : (double)NAN));
+        ROW(&q->out, NUMBER_IF(is_double, "times_floats", 3, ns[k] / ns[k - DOUBLE_NINE + FLOAT_NINE]),
+            NUMBER_IF(is_double, "times_reading", 3, ns[k] / ns[k - DOUBLE_NINE + READ_NINE]),
+            NUMBER_IF(k == PEER, "times_nine_doubles", 1, ns[k] / ns[DOUBLE_NINE]));
     }
     printout_disturbed(&q->out, &q->taken);
 }
@@ -461,7 +461,7 @@ static void ask_stage(asked *q, stage which)
         exit(message_failure("the library refuses a scene"));
     asked_measure(q, "stage", list, 2, NULL, asked_effort(q, 51, 8, 1e-3), tribox_mask_words(STAGED));
     const double more = measure_least(&q->taken, 1) - measure_least(&q->taken, 0);
-    ROW(&q->out, TEXT("settled", names[which]), NUMBER("triangles", 0, (double)report.undecided),
+    ROW(&q->out, TEXT("settled", names[which]), NUMBER("triangles", 0, report.undecided),
         NUMBER("ns_a_triangle", 1, report.undecided ? more * STAGED / (double)report.undecided : 0));
     asked_release(mark);
 }
@@ -515,7 +515,7 @@ static bool ask_peers(asked *q, scene *at)
     for (size_t c = 0; is_right && c < count; c++) {
         const cgal_peer *const peer = c < kernels ? NULL : list[c].question;
         const size_t proper = peer ? count_unlike(peer, exact, other, pairs, false) : 0;
-        ADD(&q->out, TEXT("contestant", list[c].name), TEXT_DATA("scene", at->name), NUMBER("unlike_EXACT", 0, (double)proper),
+        ADD(&q->out, TEXT("contestant", list[c].name), TEXT_DATA("scene", at->name), NUMBER("unlike_EXACT", 0, proper),
             NUMBER("of_degenerate", 0, peer ? (double)count_unlike(peer, exact, other, pairs, true) : 0));
         if (is_timed) {
             printout_times(&q->out, &q->taken, c);

@@ -199,7 +199,7 @@ static bool run_depth(asked *q, const char *name, octree *o)
         const double least = measure_least(&q->taken, w);
         ROW(&q->out, TEXT("way", ways[w].name), NUMBER("ms", 1, 1e-6 * least),
             NUMBER("times_the_paper's_speed", 2, measure_least(&q->taken, PAPER) / least),
-            NUMBER("times_eight_calls", 2, measure_least(&q->taken, EIGHT) / least), NUMBER("leaves", 0, (double)leaves[w]));
+            NUMBER("times_eight_calls", 2, measure_least(&q->taken, EIGHT) / least), NUMBER("leaves", 0, leaves[w]));
     }
     printout_disturbed(&q->out, &q->taken);
     return true;

@@ -79,15 +79,14 @@ static void tell_row(asked *q, const scene *at, const contestant *list, size_t c
     const size_t fast = contestant_fast_of(list, q->taken.contestants, c);
     const spread speed = measure_ratio(&q->taken, 0, c);
     const bool is_answer = list[c].promise != PROMISE_NOTHING;
-    ADD(out, TEXT("contestant", list[c].name), TEXT_DATA("scene", at->name), DATA("triangles", (double)at->work.pairs));
+    ADD(out, TEXT("contestant", list[c].name), TEXT_DATA("scene", at->name), DATA("triangles", at->work.pairs));
     printout_times(out, &q->taken, c);
     ROW(out, NUMBER("times_baseline's_speed", 2, speed.median), NUMBER("from", 2, speed.lower_quartile),
         NUMBER("to", 2, speed.upper_quartile), NUMBER("by_least", 2, measure_least(&q->taken, 0) / measure_least(&q->taken, c)),
-        NUMBER("times_own_fast's_ns", 2, fast == c ? (double)NAN : measure_ratio(&q->taken, c, fast).median),
-        NUMBER("undecided_%", 4,
-               list[c].options.kernel ? 100 * (double)q->scores[c].undecided / (double)at->work.pairs : (double)NAN),
-        NUMBER("overlaps", 0, is_answer ? (double)q->scores[c].overlapping : (double)NAN),
-        NUMBER("unlike_EXACT", 0, is_answer ? (double)score_unlike(&q->scores[c]) : (double)NAN));
+        NUMBER_IF(fast != c, "times_own_fast's_ns", 2, measure_ratio(&q->taken, c, fast).median),
+        NUMBER_IF(list[c].options.kernel, "undecided_%", 4, 100 * (double)q->scores[c].undecided / (double)at->work.pairs),
+        NUMBER_IF(is_answer, "overlaps", 0, q->scores[c].overlapping),
+        NUMBER_IF(is_answer, "unlike_EXACT", 0, score_unlike(&q->scores[c])));
 }
 
 static bool ask_about(asked *q, scene *at)

@@ -31,12 +31,12 @@ static void tell_accuracy(printout *out, const char *name, size_t pairs, const c
     ADD(out, TEXT("kernel", own->kernel ? own->kernel : "paper"), TEXT("accuracy", own->kernel ? accuracy_word(own->accuracy) : ""),
         TEXT("axes", axes_names[own->axes]), TEXT_DATA("scene", name));
     printout_times(out, &of->taken, c);
-    ROW(out, NUMBER("times_fast", 2, fast == c ? (double)NAN : measure_ratio(&of->taken, c, fast).median),
+    ROW(out, NUMBER_IF(fast != c, "times_fast", 2, measure_ratio(&of->taken, c, fast).median),
         NUMBER("missed_a_million", 1, share_of(s->of_accuracy.missed, pairs, 1e6)),
         NUMBER("untrue_a_million", 1, share_of(s->of_accuracy.untrue, pairs, 1e6)),
         NUMBER("extra_a_million", 1, share_of(s->of_all.untrue, pairs, 1e6)),
-        NUMBER("undecided_%", 4, own->kernel ? share_of(s->undecided, pairs, 100) : (double)NAN),
-        NUMBER("ns_each", 1, fast == c ? (double)NAN : undecided_ns(of, c, fast, (double)pairs)));
+        NUMBER_IF(own->kernel, "undecided_%", 4, share_of(s->undecided, pairs, 100)),
+        NUMBER_IF(fast != c, "ns_each", 1, undecided_ns(of, c, fast, (double)pairs)));
 }
 
 /* With all axes: the paper's test as published, and each kernel in the default order. */
@@ -72,11 +72,11 @@ static void tell_order(printout *out, const sweep *s, const char *kernel, tribox
     for (int o = 0; o < SWEEP_ORDERS; o++) {
         static const char *const names[SWEEP_ORDERS] = {"default", "123", "132", "213", "231", "312", "321"};
         const contestant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
-        ADD(out, NUMBER(names[o], 3, one ? sweep_time(s, one) : (double)NAN));
+        ADD(out, NUMBER_IF(one, names[o], 3, sweep_time(s, one)));
     }
     const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
     const bool is_faster = plain && sweep_beats(s, best, plain);
-    ROW(out, NUMBER("faster_than_default", 0, is_faster ? best->options.axis_order : (double)NAN));
+    ROW(out, NUMBER_IF(is_faster, "faster_than_default", 0, best->options.axis_order));
 }
 
 /* Counts that are the same on every machine. */

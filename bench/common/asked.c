@@ -14,31 +14,11 @@
 
 enum { FOR_ALL = 1u << OPTION_ROUNDS | 1u << OPTION_SEED | 1u << OPTION_JSON | 1u << OPTION_CSV };
 
-/* A number has a most, a text has none. */
+#define OPTION_ROW(option, ...) {__VA_ARGS__},
 static const struct {
     const char *name, *value, *what;
     uint64_t least, most;
-} table[OPTIONS] = {
-    [OPTION_ROUNDS] = {"rounds", "N", "measure N rounds, however long they take", 1, MEASURE_MOST},
-    [OPTION_SEED] = {"seed", "N", "of what is drawn, and of the order within the rounds", 0, UINT64_MAX},
-    [OPTION_JSON] = {"json", NULL, "JSON instead of text", 0, 0},
-    [OPTION_CSV] = {"csv", "FILE", "also writes the tables to a file", 0, 0},
-    [OPTION_KERNEL] = {"kernel", "NAME", "without it the widest", 0, 0},
-    [OPTION_QUICK] = {"quick", NULL, "little work and few rounds: seconds", 0, 0},
-    [OPTION_SCENE] = {"scene", "NAME", "one scene; an unknown one lists them", 0, 0},
-    [OPTION_NO_SCENES] = {"no-scenes", NULL, "meshes alone", 0, 0},
-    [OPTION_FILTER] = {"filter", "PART", "only contestants whose name contains it", 0, 0},
-    [OPTION_SIZE] = {"size", "N", "triangles of a scene", 64, 100000000},
-    [OPTION_FAST] = {"fast", NULL, "FAST; without it EXACT", 0, 0},
-    [OPTION_VERIFY] = {"verify", NULL, "compares answers, and times nothing", 0, 0},
-    [OPTION_CELLS] = {"cells", "N,...", "cells along the longest side", 2, 1 << 20},
-    [OPTION_TILE] = {"tile", "N", "cells of a tile along an axis, a multiple of 8", 8, 1024},
-    [OPTION_LIMIT] = {"limit", "SECONDS", "a rival that takes longer is ended", 1, 3600},
-    [OPTION_OCTREE] = {"octree", "DEPTH", "the leaves of an octree over a mesh", 1, 10},
-    [OPTION_GRID] = {"grid", "N", "cells of a grid over a mesh, N along its longest side", 1, 4096},
-    [OPTION_BOXES] = {"boxes", "N", "boxes", 1, 100000},
-    [OPTION_TERRAIN] = {"terrain", "N", "triangles of a terrain that is made here", 0, UINT32_MAX},
-};
+} table[OPTIONS] = {ASKED_OPTIONS(OPTION_ROW)};
 
 const char *mesh_list_name(const char *path)
 {

@@ -24,29 +24,33 @@ bool mesh_list_read(const char *path, struct mesh *m);
 /* The same with its vertices and indices, of floats: PLY, OFF and OBJ. indexed_mesh_free follows in any case. */
 bool mesh_list_read_indexed(const char *path, struct indexed_mesh *m);
 
-/* One table of options, for all questions: asked.c. */
-typedef enum asked_option {
-    OPTION_ROUNDS,
-    OPTION_SEED,
-    OPTION_JSON,
-    OPTION_CSV,
-    OPTION_KERNEL,
-    OPTION_QUICK,
-    OPTION_SCENE,
-    OPTION_NO_SCENES,
-    OPTION_FILTER,
-    OPTION_SIZE,
-    OPTION_FAST,
-    OPTION_VERIFY,
-    OPTION_CELLS,
-    OPTION_TILE,
-    OPTION_LIMIT,
-    OPTION_OCTREE,
-    OPTION_GRID,
-    OPTION_BOXES,
-    OPTION_TERRAIN,
-    OPTIONS
-} asked_option;
+/*
+ * One table of options, for all questions: the name, what stands for its value, what --help says, and the least and the most of a
+ * number; a text has none.
+ */
+#define ASKED_OPTIONS(OPTION) \
+    OPTION(OPTION_ROUNDS, "rounds", "N", "measure N rounds, however long they take", 1, MEASURE_MOST) \
+    OPTION(OPTION_SEED, "seed", "N", "of what is drawn, and of the order within the rounds", 0, UINT64_MAX) \
+    OPTION(OPTION_JSON, "json", NULL, "JSON instead of text", 0, 0) \
+    OPTION(OPTION_CSV, "csv", "FILE", "also writes the tables to a file", 0, 0) \
+    OPTION(OPTION_KERNEL, "kernel", "NAME", "without it the widest", 0, 0) \
+    OPTION(OPTION_QUICK, "quick", NULL, "little work and few rounds: seconds", 0, 0) \
+    OPTION(OPTION_SCENE, "scene", "NAME", "one scene; an unknown one lists them", 0, 0) \
+    OPTION(OPTION_NO_SCENES, "no-scenes", NULL, "meshes alone", 0, 0) \
+    OPTION(OPTION_FILTER, "filter", "PART", "only contestants whose name contains it", 0, 0) \
+    OPTION(OPTION_SIZE, "size", "N", "triangles of a scene", 64, 100000000) \
+    OPTION(OPTION_FAST, "fast", NULL, "FAST; without it EXACT", 0, 0) \
+    OPTION(OPTION_VERIFY, "verify", NULL, "compares answers, and times nothing", 0, 0) \
+    OPTION(OPTION_CELLS, "cells", "N,...", "cells along the longest side", 2, 1 << 20) \
+    OPTION(OPTION_TILE, "tile", "N", "cells of a tile along an axis, a multiple of 8", 8, 1024) \
+    OPTION(OPTION_LIMIT, "limit", "SECONDS", "a rival that takes longer is ended", 1, 3600) \
+    OPTION(OPTION_OCTREE, "octree", "DEPTH", "the leaves of an octree over a mesh", 1, 10) \
+    OPTION(OPTION_GRID, "grid", "N", "cells of a grid over a mesh, N along its longest side", 1, 4096) \
+    OPTION(OPTION_BOXES, "boxes", "N", "boxes", 1, 100000) \
+    OPTION(OPTION_TERRAIN, "terrain", "N", "triangles of a terrain that is made here", 0, UINT32_MAX)
+
+#define ASKED_OPTION(option, ...) option,
+typedef enum asked_option { ASKED_OPTIONS(ASKED_OPTION) OPTIONS } asked_option;
 
 enum { ASKED_CELLS = 16 };
 

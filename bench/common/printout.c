@@ -115,7 +115,7 @@ void printout_times(printout *r, const samples *taken, size_t c)
 {
     const spread ns = measure_spread(taken, c);
     ADD(r, NUMBER("ns_median", 3, ns.median), NUMBER("ns_least", 3, ns.least), DATA("ns_lower_quartile", ns.lower_quartile),
-        DATA("ns_upper_quartile", ns.upper_quartile), DATA("rounds", (double)taken->rounds));
+        DATA("ns_upper_quartile", ns.upper_quartile), DATA("rounds", taken->rounds));
 }
 
 /* Text is on the left of its column, the first one wide enough for names. */

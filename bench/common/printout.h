@@ -41,13 +41,14 @@ void printout_end(printout *r);
 __attribute__((format(printf, 2, 3))) void printout_table(printout *r, const char *title, ...);
 
 /*
- * ADD adds columns to a row, of these: a text, a number with so many decimals, and the same for JSON and CSV alone. ROW also
- * completes it. Names and texts are used until then.
+ * ADD adds columns to a row, of these: a text, a number with so many decimals, which may not be there, and the same for JSON and
+ * CSV alone. ROW also completes it. Names and texts are used until then.
  */
 #define TEXT(name, text) ((printout_column){name, text, NAN, 0, false})
-#define NUMBER(name, decimals, number) ((printout_column){name, NULL, number, decimals, false})
+#define NUMBER(name, decimals, number) ((printout_column){name, NULL, (double)(number), decimals, false})
+#define NUMBER_IF(is_there, name, decimals, number) NUMBER(name, decimals, (is_there) ? (double)(number) : (double)NAN)
 #define TEXT_DATA(name, text) ((printout_column){name, text, NAN, 0, true})
-#define DATA(name, number) ((printout_column){name, NULL, number, 6, true})
+#define DATA(name, number) ((printout_column){name, NULL, (double)(number), 6, true})
 #define ADD(r, ...) printout_add(r, (const printout_column[]){__VA_ARGS__, {.name = NULL}})
 #define ROW(r, ...) (ADD(r, __VA_ARGS__), printout_row(r))
 

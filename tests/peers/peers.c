@@ -357,11 +357,10 @@ static void tell_errors(printout *out, const field *f, size_t boxes, size_t hits
 {
     printout_table(out, "%s: answers about %zu boxes, %zu hits", f->scene->name, boxes, hits);
     for (size_t p = 0; p < f->peer_count; p++) {
-        ROW(out, TEXT("peer", f->peers[p].peer->name), DATA("all_hits", (double)hits),
-            NUMBER("missing", 0, f->peers[p].tree ? (double)unlike[p].missing : (double)NAN),
-            NUMBER("extra", 0, f->peers[p].tree ? (double)unlike[p].extra : (double)NAN),
-            NUMBER("within_rounding", 0, (double)unlike[p].near),
-            NUMBER("candidates_a_hit", 2, hits ? (double)unlike[p].candidates / (double)hits : (double)NAN),
+        ROW(out, TEXT("peer", f->peers[p].peer->name), DATA("all_hits", hits),
+            NUMBER_IF(f->peers[p].tree, "missing", 0, unlike[p].missing), NUMBER_IF(f->peers[p].tree, "extra", 0, unlike[p].extra),
+            NUMBER("within_rounding", 0, unlike[p].near),
+            NUMBER_IF(hits, "candidates_a_hit", 2, (double)unlike[p].candidates / (double)hits),
             NUMBER("seconds_to_build", 3, f->peers[p].seconds));
     }
 }
