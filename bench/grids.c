@@ -334,9 +334,10 @@ enum { WAYS_MOST = 12 };
 typedef struct ways {
     const way *list;
     size_t count;
+    bool has_truth; /* bits are compared with it */
 } ways;
-static const ways to_bits = {list_to_bits, sizeof list_to_bits / sizeof list_to_bits[0]},
-                  to_answers = {list_to_answers, sizeof list_to_answers / sizeof list_to_answers[0]};
+static const ways to_bits = {list_to_bits, sizeof list_to_bits / sizeof list_to_bits[0], true},
+                  to_answers = {list_to_answers, sizeof list_to_answers / sizeof list_to_answers[0], false};
 
 static bool make(const way *as, work *w)
 {
@@ -486,7 +487,7 @@ static uint64_t *find_truth(const work *w)
 /* Logarithms of the ratios to the first way, over scenes, for each number of cells. */
 static double logarithm[ASKED_CELLS][WAYS_MOST];
 
-static bool ask_grid(asked *q, const scene *at, ways of, bool has_truth, size_t n)
+static bool ask_grid(asked *q, const scene *at, ways of, size_t n)
 {
     const uint32_t along = q->cells[n];
     const uint64_t rounds = asked_number(q, OPTION_ROUNDS, asked_has(q, OPTION_QUICK) ? 1 : 5);
@@ -497,7 +498,7 @@ static bool ask_grid(asked *q, const scene *at, ways of, bool has_truth, size_t 
     w.tile = (uint32_t)q->number[OPTION_TILE];
     w.all = (size_t)w.grid.size[0] * w.grid.size[1] * w.grid.size[2];
     w.words = tribox_window_words(w.grid.size);
-    if (has_truth && (w.truth = find_truth(&w)) == NULL)
+    if (of.has_truth && (w.truth = find_truth(&w)) == NULL)
         return false;
     for (uint64_t round = 0; round < rounds; round++)
         for (size_t k = 0; k < of.count; k++) {
@@ -523,20 +524,20 @@ static bool ask_grid(asked *q, const scene *at, ways of, bool has_truth, size_t 
     return true;
 }
 
-static bool ask_scene(asked *q, const scene *at, ways of, bool has_truth)
+static bool ask_scene(asked *q, const scene *at, ways of)
 {
     bool is_right = true;
     for (size_t n = 0; is_right && n < q->cell_counts; n++) {
         void *const mark = asked_mark();
-        is_right = ask_grid(q, at, of, has_truth, n);
+        is_right = ask_grid(q, at, of, n);
         asked_release(mark);
     }
     return is_right;
 }
 
-static bool ask_bits(asked *q, scene *at) { return ask_scene(q, at, to_bits, true); }
+static bool ask_bits(asked *q, scene *at) { return ask_scene(q, at, to_bits); }
 
-static bool ask_answers(asked *q, scene *at) { return ask_scene(q, at, to_answers, false); }
+static bool ask_answers(asked *q, scene *at) { return ask_scene(q, at, to_answers); }
 
 static void tell_means(asked *q, ways of)
 {
@@ -554,25 +555,20 @@ static void tell_means(asked *q, ways of)
     }
 }
 
-static bool answer_voxels(asked *q)
+/* cells: what there is to choose from, without --quick and with it. */
+static bool answer(asked *q, const char *const cells[2], unsigned kinds, scene_answer *ask, ways of)
 {
-    const bool is_quick = asked_has(q, OPTION_QUICK);
-    asked_cells(q, is_quick ? (const uint32_t[]){128, 128} : (const uint32_t[]){256, 1024}, is_quick ? 1 : 2);
-    const bool is_right = scenes_ask(q, SCENES_MADE, 0, ask_bits);
-    if (is_right)
-        tell_means(q, to_bits);
-    return is_right;
+    if (!q->cell_counts)
+        asked_cells(q, cells[asked_has(q, OPTION_QUICK)]);
+    if (!scenes_ask(q, kinds, 0, ask))
+        return false;
+    tell_means(q, of);
+    return true;
 }
 
-static bool answer_grids(asked *q)
-{
-    const bool is_quick = asked_has(q, OPTION_QUICK);
-    asked_cells(q, is_quick ? (const uint32_t[]){64, 128, 128} : (const uint32_t[]){64, 256, 1024}, is_quick ? 2 : 3);
-    const bool is_right = scenes_ask(q, 0, 0, ask_answers);
-    if (is_right)
-        tell_means(q, to_answers);
-    return is_right;
-}
+static bool answer_voxels(asked *q) { return answer(q, (const char *const[]){"256,1024", "128"}, SCENES_MADE, ask_bits, to_bits); }
+
+static bool answer_grids(asked *q) { return answer(q, (const char *const[]){"64,256,1024", "64,128"}, 0, ask_answers, to_answers); }
 
 const bench_question question_voxels = {
     .name = "voxels",

@@ -314,40 +314,44 @@ static void free_peer(const contestant *peer)
         cgal_peer_free((cgal_peer *)(uintptr_t)peer->question);
 }
 
+/* Asks about the scenes of all recipes, but for large ones if it shall be quick. */
+static bool ask_each(asked *q, const recipe *all, size_t count, bool has_doubles,
+                     bool (*ask)(asked *q, const recipe *from, const forms *f))
+{
+    bool is_right = true;
+    for (const recipe *from = all; is_right && from < all + count; from++) {
+        void *const mark = asked_mark();
+        forms f;
+        if (asked_has(q, OPTION_QUICK) && from->is_large)
+            continue;
+        is_right = make_forms(from, q->seed, has_doubles, &f) && ask(q, from, &f);
+        scene_free(&f.at);
+        asked_release(mark);
+    }
+    return is_right;
+}
+
 /* ---- inputs ---------------------------------------------------------------------------------------------------------------- */
 
-static bool ask_floats(asked *q, const recipe *from)
+static bool ask_floats(asked *q, const recipe *from, const forms *f)
 {
     contestant list[CONTESTANTS_MAX];
     input asked_of[CONTESTANTS_MAX];
-    void *const mark = asked_mark();
-    forms f;
-    if (!make_forms(from, q->seed, false, &f))
+    const truth about = truth_of_work(&f->at.work);
+    const size_t count = enter(f, inputs, sizeof inputs / sizeof inputs[0], q->kernel, asked_of, list);
+    if (!asked_measure(q, from->name, list, count, &about, asked_effort(q, 31, 8, 2e-3), about.words))
         return false;
-    const truth about = truth_of_work(&f.at.work);
-    const size_t count = enter(&f, inputs, sizeof inputs / sizeof inputs[0], q->kernel, asked_of, list);
-    const bool is_right = asked_measure(q, from->name, list, count, &about, asked_effort(q, 31, 8, 2e-3), about.words);
-    if (is_right) {
-        printout_table(&q->out, "%s: %zu triangles, %zu vertices", from->name, f.at.work.pairs, f.mesh[WIDE].vertices);
-        for (size_t c = 0; c < count; c++) {
-            ADD(&q->out, TEXT("input", list[c].name));
-            printout_times(&q->out, &q->taken, c);
-            ROW(&q->out, NUMBER("times_streams", 4, measure_ratio(&q->taken, c, 0).median));
-        }
-        printout_disturbed(&q->out, &q->taken);
+    printout_table(&q->out, "%s: %zu triangles, %zu vertices", from->name, f->at.work.pairs, f->mesh[WIDE].vertices);
+    for (size_t c = 0; c < count; c++) {
+        ADD(&q->out, TEXT("input", list[c].name));
+        printout_times(&q->out, &q->taken, c);
+        ROW(&q->out, NUMBER("times_streams", 4, measure_ratio(&q->taken, c, 0).median));
     }
-    scene_free(&f.at);
-    asked_release(mark);
-    return is_right;
+    printout_disturbed(&q->out, &q->taken);
+    return true;
 }
 
-static bool answer_inputs(asked *q)
-{
-    bool is_right = true;
-    for (size_t k = 0; is_right && k < sizeof of_floats / sizeof of_floats[0]; k++)
-        is_right = ask_floats(q, &of_floats[k]);
-    return is_right;
-}
+static bool answer_inputs(asked *q) { return ask_each(q, of_floats, sizeof of_floats / sizeof of_floats[0], false, ask_floats); }
 
 /* ---- doubles --------------------------------------------------------------------------------------------------------------- */
 
@@ -370,30 +374,24 @@ static void tell_doubles(asked *q, const recipe *from, const forms *f, const con
     printout_disturbed(&q->out, &q->taken);
 }
 
-static bool ask_doubles(asked *q, const recipe *from)
+static bool ask_doubles(asked *q, const recipe *from, const forms *f)
 {
     input asked_of[ENTRIES];
     contestant list[ENTRIES];
-    void *const mark = asked_mark();
-    forms f;
-    if (!make_forms(from, q->seed, true, &f))
-        return false;
-    const truth about = {find_truth, &f, f.at.work.words};
-    const size_t count = enter(&f, doubles, PEER, q->kernel, asked_of, list),
-                 asked_of_peer = f.at.work.pairs < PEER_TRIANGLES ? f.at.work.pairs : PEER_TRIANGLES;
-    list[PEER] = peer_contestant(CGAL_EPICK_BBOX, f.mesh[NINE].positions, asked_of_peer, &f.box);
+    const truth about = {find_truth, f, f->at.work.words};
+    const size_t count = enter(f, doubles, PEER, q->kernel, asked_of, list),
+                 asked_of_peer = f->at.work.pairs < PEER_TRIANGLES ? f->at.work.pairs : PEER_TRIANGLES;
+    list[PEER] = peer_contestant(CGAL_EPICK_BBOX, f->mesh[NINE].positions, asked_of_peer, &f->box);
     uint64_t *const exact = asked_allocate(about.words, sizeof *exact), *const other = asked_allocate(about.words, sizeof *other);
     const cgal_peer *const peer = list[PEER].question;
-    bool is_right = find_truth(&f, TRIBOX_AXES_ALL, exact);
+    bool is_right = find_truth(f, TRIBOX_AXES_ALL, exact);
     if (peer && count_unlike(peer, exact, other, asked_of_peer, false))
         is_right = message_failure("%s: CGAL answers otherwise on triangles that are not degenerate", from->name) == EXIT_CODE_OK;
     is_right =
         is_right && asked_measure(q, from->name, list, count + (peer != NULL), &about, asked_effort(q, 51, 8, 1e-3), about.words);
     if (is_right)
-        tell_doubles(q, from, &f, list, count + (peer != NULL));
+        tell_doubles(q, from, f, list, count + (peer != NULL));
     free_peer(&list[PEER]);
-    scene_free(&f.at);
-    asked_release(mark);
     return is_right;
 }
 
@@ -468,9 +466,8 @@ static void ask_stage(asked *q, stage which)
 
 static bool answer_doubles(asked *q)
 {
-    for (size_t k = 0; k < sizeof of_doubles / sizeof of_doubles[0]; k++)
-        if (!(asked_has(q, OPTION_QUICK) && of_doubles[k].is_large) && !ask_doubles(q, &of_doubles[k]))
-            return false;
+    if (!ask_each(q, of_doubles, sizeof of_doubles / sizeof of_doubles[0], true, ask_doubles))
+        return false;
     printout_table(&q->out, "what a triangle costs that the first stage leaves undecided");
     for (stage which = STAGE_DOUBLE; which < STAGES; which++)
         ask_stage(q, which);

@@ -165,35 +165,42 @@ static const way ways[WAYS] = {{"the paper's test", divide_by_paper},
                                {"tribox_mesh_split", divide_mesh},
                                {"tribox_mesh_bricks", NULL}};
 
-/* The mask has no part in it; the octree is what changes. */
+/* A way, and the octree that it changes. */
+typedef struct question {
+    octree *o;
+    divide *by;
+} question;
+
 CONTESTANT_RUN(run_way)
 {
-    octree *const o = (octree *)(void *)mask;
-    const way *const w = self->question;
+    const question *const asked_of = self->question;
+    octree *const o = asked_of->o;
     o->leaves = o->sum = 0;
-    if (!w->by)
+    if (!asked_of->by)
         return make_bricks(o);
     for (size_t i = 0; i < o->mesh.count; i++)
         o->lists[i] = (uint32_t)i;
-    descend(o, w->by, &o->cube, (const uint32_t[3]){0, 0, 0}, o->lists, o->mesh.count, o->bytes, o->depth);
+    descend(o, asked_of->by, &o->cube, (const uint32_t[3]){0, 0, 0}, o->lists, o->mesh.count, o->bytes, o->depth);
     return true;
 }
 
 static bool run_depth(asked *q, const char *name, octree *o)
 {
     contestant list[WAYS];
+    question questions[WAYS];
     size_t leaves[WAYS];
     uint64_t sums[WAYS];
     for (int w = 0; w < WAYS; w++) {
-        list[w] = (contestant){.run = run_way, .question = &ways[w], .pairs = 1};
-        if (!run_way(&list[w], (uint64_t *)(void *)o, NULL))
+        questions[w] = (question){o, ways[w].by};
+        list[w] = (contestant){.run = run_way, .question = &questions[w], .pairs = 1};
+        if (!run_way(&list[w], NULL, NULL))
             return message_failure("not enough memory") == EXIT_CODE_OK;
         leaves[w] = o->leaves;
         sums[w] = o->sum;
         if (w > EIGHT && o->options.accuracy == TRIBOX_EXACT && (leaves[w] != leaves[EIGHT] || sums[w] != sums[EIGHT]))
             return message_failure("%s makes other leaves; nothing is timed", ways[w].name) == EXIT_CODE_OK;
     }
-    measure(list, WAYS, asked_effort(q, 5, 1e9, 0), &q->order, (uint64_t *)(void *)o, &q->taken);
+    asked_measure(q, name, list, WAYS, NULL, asked_effort(q, 5, 1e9, 0), 1);
     printout_table(&q->out, "%s, %zu triangles, depth %d: %zu leaves", name, o->mesh.count, o->depth, leaves[EIGHT]);
     for (size_t w = 0; w < WAYS; w++) {
         const double least = measure_least(&q->taken, w);

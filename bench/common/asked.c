@@ -84,7 +84,7 @@ static int whole_read(const char *text, asked_option o, uint64_t *number)
 }
 
 /* Numbers with commas between them. */
-static int cells_read(const char *value, asked *q)
+int asked_cells(asked *q, const char *value)
 {
     for (q->cell_counts = 0; q->cell_counts < ASKED_CELLS; value++) {
         const size_t length = strcspn(value, ",");
@@ -119,7 +119,7 @@ static int take(void *into, int which, const char *value)
     q->number[which] = 1;
     q->text[which] = value;
     if (which == OPTION_CELLS)
-        return cells_read(value, q);
+        return asked_cells(q, value);
     if (which == OPTION_KERNEL) {
         q->kernel = tribox_kernel_name(&(tribox_options){.kernel = value});
         return q->kernel ? EXIT_CODE_OK : message_usage("--kernel: there is no '%s' here; see tribox info", value);
@@ -218,14 +218,6 @@ uint64_t asked_number(const asked *q, asked_option option, uint64_t otherwise)
     return asked_has(q, option) ? q->number[option] : otherwise;
 }
 
-void asked_cells(asked *q, const uint32_t *otherwise, size_t count)
-{
-    if (q->cell_counts)
-        return;
-    memcpy(q->cells, otherwise, count * sizeof *otherwise);
-    q->cell_counts = count;
-}
-
 effort asked_effort(const asked *q, size_t rounds, double seconds, double sample)
 {
     if (asked_has(q, OPTION_ROUNDS))
@@ -248,10 +240,8 @@ bool asked_measure(asked *q, const char *name, const contestant *list, size_t co
 {
     if (from && !asked_verify(q, name, list, count, from))
         return false;
-    void *const mark = asked_mark();
-    measure(list, count, how, &q->order, asked_allocate(mask_words + 1, sizeof(uint64_t)), &q->taken);
-    asked_release(mark);
-    return true;
+    return measure(list, count, how, &q->order, mask_words, &q->taken) ||
+           message_failure("out of memory for answers") == EXIT_CODE_OK;
 }
 
 /* Each block begins with a cache line that knows the one before. */

@@ -86,7 +86,9 @@ static inline bool asked_has(const asked *q, asked_option option) { return q->gi
 
 /* What was given, or else... */
 uint64_t asked_number(const asked *q, asked_option option, uint64_t otherwise);
-void asked_cells(asked *q, const uint32_t *otherwise, size_t count);
+
+/* Reads numbers of cells. Returns an exit_code. */
+int asked_cells(asked *q, const char *value);
 
 /* As many rounds as were given, or else at most so many within so many seconds; few if it shall be quick. */
 effort asked_effort(const asked *q, size_t rounds, double seconds, double sample);

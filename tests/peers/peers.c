@@ -300,7 +300,7 @@ static void field_time(field *f, size_t rounds, size_t linear_boxes, generator *
         }
         place[timed++] = e;
     }
-    measure(list, timed, (effort){.rounds = rounds, .seconds = 1e9, .sample = 2e-3}, order, f->room.mask, &taken);
+    measure(list, timed, (effort){.rounds = rounds, .seconds = 1e9, .sample = 2e-3}, order, 1, &taken);
     for (size_t c = 0; c < timed; c++)
         us[place[c]] = 1e-3 * measure_least(&taken, c);
 }

@@ -400,24 +400,27 @@ static void take_turn(const contestant *one, size_t runs, size_t round, uint64_t
         ns[round - 1] = 1e9 * seconds / ((double)runs * one->pairs);
 }
 
-void measure(const contestant *list, size_t count, effort how, generator *order, uint64_t *mask, samples *taken)
+bool measure(const contestant *list, size_t count, effort how, generator *order, size_t words, samples *taken)
 {
     size_t runs[CONTESTANTS_MAX], turns[CONTESTANTS_MAX];
     const double begin = clock_seconds();
-    for (size_t c = 0; c < count; c++) {
+    uint64_t *const mask = calloc(words + 1, sizeof *mask);
+    for (size_t c = 0; mask && c < count; c++) {
         turns[c] = c;
         runs[c] = list[c].is_timed_once ? 1 : calibrate(&list[c], how.sample, mask);
     }
     taken->contestants = count;
     taken->rounds = 0;
-    for (size_t round = 0; round <= how.rounds; round++) {
+    for (size_t round = 0; mask && round <= how.rounds; round++) {
         if (round > MEASURE_LEAST && clock_seconds() - begin > how.seconds)
-            return;
+            break;
         shuffle(turns, count, order);
         for (size_t t = 0; t < count; t++)
             take_turn(&list[turns[t]], runs[turns[t]], round, mask, taken->ns[turns[t]]);
         taken->rounds = round;
     }
+    free(mask);
+    return mask;
 }
 
 const char *contest_run(contest *c, const timing_work *work, effort how, generator *order)
@@ -426,12 +429,7 @@ const char *contest_run(contest *c, const timing_work *work, effort how, generat
     const truth from = truth_of_work(work);
     if (!verify(c->list, c->count, &from, c->scores, wrong))
         return wrong;
-    uint64_t *const mask = malloc((work->words + 1) * sizeof *mask);
-    if (!mask)
-        return "out of memory for the answers";
-    measure(c->list, c->count, how, order, mask, &c->taken);
-    free(mask);
-    return NULL;
+    return measure(c->list, c->count, how, order, work->words, &c->taken) ? NULL : "out of memory for the answers";
 }
 
 static int by_value(const void *a, const void *b)

@@ -168,8 +168,8 @@ typedef struct samples {
     double ns[CONTESTANTS_MAX][MEASURE_MOST];
 } samples;
 
-/* mask: room for the answer of any of them. */
-void measure(const contestant *list, size_t count, effort how, generator *order, uint64_t *mask, samples *taken);
+/* words: of the answer of any of them, at the most. False if memory fails. */
+bool measure(const contestant *list, size_t count, effort how, generator *order, size_t words, samples *taken);
 
 typedef struct contest {
     size_t count;
