@@ -267,20 +267,12 @@ typedef struct many {
     size_t *start, room;
 } many;
 
-static bool run_many(const contestant *self, int which)
+CONTESTANT_RUN(run_many)
 {
     const many *const m = self->question;
-    return !tribox_index_lists(m->index, &m->boxes[which], &self->options, m->room, m->list, m->start);
-}
-
-CONTESTANT_RUN(run_as_drawn) { return run_many(self, AS_DRAWN); }
-
-CONTESTANT_RUN(run_in_order) { return run_many(self, IN_ORDER); }
-
-CONTESTANT_RUN(run_ordering)
-{
-    const many *const m = self->question;
-    return !tribox_boxes_sort(&m->boxes[0], m->order, m->scratch);
+    return self->which == ORDERING
+               ? !tribox_boxes_sort(&m->boxes[0], m->order, m->scratch)
+               : !tribox_index_lists(m->index, &m->boxes[self->which], &self->options, m->room, m->list, m->start);
 }
 
 static bool make_many(const tribox_box *boxes, size_t count, const tribox_options *options, many *m)
@@ -323,7 +315,6 @@ static bool is_many_right(const many *m, const tribox_box *boxes, size_t triangl
 
 static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
 {
-    static contestant_run *const runs[MANY_RUNS] = {run_as_drawn, run_in_order, run_ordering};
     const tribox_options options = {.kernel = q->kernel};
     void *const mark = asked_mark();
     tribox_box *const boxes = asked_allocate(count, sizeof *boxes);
@@ -332,8 +323,8 @@ static bool ask_many(asked *q, field *f, int size, size_t count, effort how)
     scene_boxes(f->scene, box_part[size], count, q->seed + 99, boxes);
     const bool is_right =
         make_many(boxes, count, &options, &m) && is_many_right(&m, boxes, f->scene->work.pairs, &options, f->room.list);
-    for (size_t c = 0; c < MANY_RUNS; c++)
-        list[c] = (contestant){.run = runs[c], .question = &m, .options = options, .pairs = (double)count};
+    for (int c = 0; c < MANY_RUNS; c++)
+        list[c] = (contestant){.run = run_many, .question = &m, .which = c, .options = options, .pairs = (double)count};
     if (is_right) {
         asked_measure(q, "many", list, MANY_RUNS, NULL, how, 1);
         ROW(&q->out, NUMBER("box_%", 1, 100 * box_part[size]), NUMBER("boxes", 0, count),

@@ -165,12 +165,11 @@ static const tribox_mesh *mesh_of(const contestant *self) { return ((const input
 
 CONTESTANT_RUN(run_streams) { return !tribox_overlap(&job_of(self)->soup, &job_of(self)->box, &self->options, mask, report); }
 
-CONTESTANT_RUN(run_mesh) { return !tribox_mesh_overlap(mesh_of(self), &job_of(self)->box, &self->options, mask, report); }
-
-CONTESTANT_RUN(run_doubles)
+CONTESTANT_RUN(run_mesh)
 {
     const forms *const f = ((const input *)self->question)->f;
-    return !tribox_mesh_overlap(mesh_of(self), &f->box, &self->options, mask, report);
+    const tribox_box *const box = mesh_of(self)->position_bytes == sizeof(double) ? &f->box : &f->at.work.jobs->box;
+    return !tribox_mesh_overlap(mesh_of(self), box, &self->options, mask, report);
 }
 
 CONTESTANT_RUN(run_to_streams)
@@ -265,8 +264,8 @@ enum { FLOAT_NINE, FLOAT_INDEXED, DOUBLE_NINE, DOUBLE_INDEXED, READ_NINE, READ_I
 static const entry doubles[PEER] = {
     [FLOAT_NINE] = {"nine floats", run_mesh, FLAT, PROMISE_NOTHING},
     [FLOAT_INDEXED] = {"indexed floats", run_mesh, WIDE, PROMISE_NOTHING},
-    [DOUBLE_NINE] = {"nine doubles", run_doubles, NINE, PROMISE_EXACT},
-    [DOUBLE_INDEXED] = {"indexed doubles", run_doubles, INDEXED, PROMISE_EXACT},
+    [DOUBLE_NINE] = {"nine doubles", run_mesh, NINE, PROMISE_EXACT},
+    [DOUBLE_INDEXED] = {"indexed doubles", run_mesh, INDEXED, PROMISE_EXACT},
     [READ_NINE] = {"reading nine doubles", run_reading, NINE, PROMISE_NOTHING},
     [READ_INDEXED] = {"reading indexed doubles", run_reading, INDEXED, PROMISE_NOTHING},
 };
@@ -450,7 +449,7 @@ static void ask_stage(asked *q, stage which)
     for (int k = 0; k < 2; k++) {
         asked_of[k] = (input){&at[k], &at[k].mesh[NINE]};
         list[k] = (contestant){.name = "stage",
-                               .run = run_doubles,
+                               .run = run_mesh,
                                .question = &asked_of[k],
                                .options = {.axes = k ? TRIBOX_AXES_ALL : TRIBOX_AXES_BOX, .kernel = q->kernel},
                                .pairs = STAGED};

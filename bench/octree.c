@@ -165,34 +165,27 @@ static const way ways[WAYS] = {{"the paper's test", divide_by_paper},
                                {"tribox_mesh_split", divide_mesh},
                                {"tribox_mesh_bricks", NULL}};
 
-/* A way, and the octree that it changes. */
-typedef struct question {
-    octree *o;
-    divide *by;
-} question;
-
+/* The octree is what changes. */
 CONTESTANT_RUN(run_way)
 {
-    const question *const asked_of = self->question;
-    octree *const o = asked_of->o;
+    octree *const o = (octree *)(uintptr_t)self->question;
+    divide *const by = ways[self->which].by;
     o->leaves = o->sum = 0;
-    if (!asked_of->by)
+    if (!by)
         return make_bricks(o);
     for (size_t i = 0; i < o->mesh.count; i++)
         o->lists[i] = (uint32_t)i;
-    descend(o, asked_of->by, &o->cube, (const uint32_t[3]){0, 0, 0}, o->lists, o->mesh.count, o->bytes, o->depth);
+    descend(o, by, &o->cube, (const uint32_t[3]){0, 0, 0}, o->lists, o->mesh.count, o->bytes, o->depth);
     return true;
 }
 
 static bool run_depth(asked *q, const char *name, octree *o)
 {
     contestant list[WAYS];
-    question questions[WAYS];
     size_t leaves[WAYS];
     uint64_t sums[WAYS];
     for (int w = 0; w < WAYS; w++) {
-        questions[w] = (question){o, ways[w].by};
-        list[w] = (contestant){.run = run_way, .question = &questions[w], .pairs = 1};
+        list[w] = (contestant){.run = run_way, .question = o, .which = w, .pairs = 1};
         if (!run_way(&list[w], NULL, NULL))
             return message_failure("not enough memory") == EXIT_CODE_OK;
         leaves[w] = o->leaves;

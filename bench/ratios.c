@@ -5,6 +5,7 @@
 
 #include "common/box_scenes.h"
 #include "common/rivals.h"
+#include "files/files.h"
 #include "paper/paper.h"
 #include "read/mesh.h"
 
@@ -133,7 +134,7 @@ static bool ask_mesh(asked *q, const char *path)
     indexed_mesh m;
     bool is_right = mesh_list_read_indexed(path, &m);
     for (int part = 0; is_right && part < 2; part++) {
-        scene at = {.name = mesh_list_name(path), .what = part ? "a tenth of its sides" : "half its sides"};
+        scene at = {.name = path + named_file_folder(path), .what = part ? "a tenth of its sides" : "half its sides"};
         is_right = make_mesh(&m, part ? 0.1 : 0.5, &at) && ask_about(q, &at);
         scene_free(&at);
     }

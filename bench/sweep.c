@@ -8,6 +8,7 @@
 
 #include "common/box_scenes.h"
 #include "console/accuracy.h"
+#include "files/files.h"
 #include "paper/paper.h"
 #include "read/mesh.h"
 #include "sweep/sweep.h"
@@ -141,7 +142,7 @@ static bool ask_mesh(asked *q, const char *path)
     if (!is_made)
         return false;
     sweep_work_describe(&wish, &work, what, sizeof what);
-    const bool is_right = ask_about(q, mesh_list_name(path), what, &work);
+    const bool is_right = ask_about(q, path + named_file_folder(path), what, &work);
     timing_work_free(&work);
     return is_right;
 }

@@ -8,6 +8,7 @@
 
 #include "console/message.h"
 #include "console/option_reader.h"
+#include "files/files.h"
 #include "read/mesh.h"
 #include "read/scan.h"
 #include "soups.h"
@@ -19,12 +20,6 @@ static const struct {
     const char *name, *value, *what;
     uint64_t least, most;
 } table[OPTIONS] = {ASKED_OPTIONS(OPTION_ROW)};
-
-const char *mesh_list_name(const char *path)
-{
-    const char *const slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
 
 enum { PATH_ROOM = 4096 };
 
@@ -186,7 +181,7 @@ static const bench_question *named(const bench_question *const *questions, size_
 
 int asked_main(int argc, char **argv, const bench_question *const *questions, size_t count, asked *q)
 {
-    const char *const slash = strrchr(argv[0], '/'), *const program = slash ? slash + 1 : argv[0];
+    const char *const program = argv[0] + named_file_folder(argv[0]);
     const int skipped = count > 1;
     const bench_question *const of = skipped ? named(questions, count, argc > 1 ? argv[1] : NULL) : questions[0];
     option_entry options[OPTIONS + 1] = {{NULL, 0, false}};

@@ -12,9 +12,6 @@ typedef struct mesh_list {
     size_t count;
 } mesh_list;
 
-/* The name without its folder. */
-const char *mesh_list_name(const char *path);
-
 struct mesh;
 struct indexed_mesh;
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "files/files.h"
 #include "read/mesh.h"
 #include "rivals.h"
 
@@ -17,7 +18,7 @@ bool scene_read(const char *path, scene *made)
     mesh m;
     if (!mesh_list_read(path, &m))
         return false;
-    *made = (scene){.name = mesh_list_name(path), .what = "a mesh"};
+    *made = (scene){.name = path + named_file_folder(path), .what = "a mesh"};
     const bool is_made = scene_room(made, m.soup.count);
     size_t kept = 0;
     for (size_t i = 0; is_made && i < m.soup.count; i++) {
@@ -252,8 +253,7 @@ void answer_room_make(size_t triangles, size_t elsewhere_bytes, answer_room *mad
 }
 
 /* Reports how many overlap; of any, whether there is one, which then stands in number[0]; of words, how many there are. */
-static inline bool ask_form(const index_question *q, index_form form, size_t b, const tribox_options *options,
-                            tribox_report *report)
+static bool ask_form(const index_question *q, index_form form, size_t b, const tribox_options *options, tribox_report *report)
 {
     const tribox_region region = q->boxes ? (tribox_region){.box = &q->boxes[b]} : (tribox_region){.oriented = &q->turned[b]};
     const answer_room *const room = q->room;
@@ -279,22 +279,15 @@ static inline bool ask_form(const index_question *q, index_form form, size_t b, 
     }
 }
 
-/* contestant.pairs: boxes. */
-static inline bool run_form(const contestant *self, index_form form)
+/* contestant.which: a form; contestant.pairs: boxes. */
+CONTESTANT_RUN(run_form)
 {
     tribox_report one;
     for (size_t b = 0; b < (size_t)self->pairs; b++)
-        if (!ask_form(self->question, form, b, &self->options, &one))
+        if (!ask_form(self->question, (index_form)self->which, b, &self->options, &one))
             return false;
     return true;
 }
-
-CONTESTANT_RUN(run_list) { return run_form(self, FORM_LIST); }
-CONTESTANT_RUN(run_count) { return run_form(self, FORM_COUNT); }
-CONTESTANT_RUN(run_any) { return run_form(self, FORM_ANY); }
-CONTESTANT_RUN(run_words) { return run_form(self, FORM_WORDS); }
-CONTESTANT_RUN(run_mask) { return run_form(self, FORM_MASK); }
-CONTESTANT_RUN(run_linear) { return run_form(self, FORM_LINEAR); }
 
 void index_warm_up(const contestant *self, uint64_t *mask) { self->run(self, mask, NULL); }
 
@@ -306,9 +299,8 @@ static void empty_caches(const contestant *self, uint64_t *mask)
 
 contestant index_contestant(const index_question *question, index_form form, bool is_cold, const char *kernel)
 {
-    static contestant_run *const run[FORMS] = {run_list, run_count, run_any, run_words, run_mask, run_linear};
     const bool is_linear = form == FORM_LINEAR;
-    contestant made = {.run = run[form], .question = question, .options = {.kernel = kernel}};
+    contestant made = {.run = run_form, .question = question, .which = (int)form, .options = {.kernel = kernel}};
     made.pairs = (double)(is_linear ? question->linear_count : question->count);
     made.prepare = is_cold ? empty_caches : is_linear ? NULL : index_warm_up;
     snprintf(made.name, sizeof made.name, "%s", names[form]);

@@ -279,7 +279,8 @@ static answer_errors compare(const uint64_t *exact, const uint64_t *answer, size
 static bool are_alike(const contestant *p, const contestant *q)
 {
     const bool is_same_kernel = p->options.kernel && q->options.kernel && !strcmp(p->options.kernel, q->options.kernel);
-    return is_same_kernel && p->run == q->run && p->options.accuracy == q->options.accuracy && axes_of(p) == axes_of(q);
+    return is_same_kernel && p->run == q->run && p->which == q->which && p->options.accuracy == q->options.accuracy &&
+           axes_of(p) == axes_of(q);
 }
 
 static bool keeps_promise(const contestant *one, const score *s, char wrong[VERIFY_TEXT])
@@ -324,10 +325,12 @@ bool verify(const contestant *list, size_t count, const truth *from, score *scor
     bool is_right = storage || fail(&list[0], "out of memory for the answers", wrong);
     if (is_right && !from->find(from->question, TRIBOX_AXES_ALL, m.of_all))
         is_right = fail(&list[0], "tribox refuses the question", wrong);
+    const contestant *before = NULL;
     for (size_t c = 0; is_right && c < count; c++) {
         scores[c] = (score){.overlapping = 0};
-        if (list[c].promise != PROMISE_NOTHING)
-            is_right = verify_one(&list[c], c ? &list[c - 1] : NULL, from, &m, &scores[c], wrong);
+        const bool has_answer = list[c].promise != PROMISE_NOTHING;
+        is_right = !has_answer || verify_one(&list[c], before, from, &m, &scores[c], wrong);
+        before = has_answer ? &list[c] : NULL;
     }
     free(storage);
     return is_right;

@@ -90,6 +90,7 @@ struct contestant {
     contestant_run *run;
     void (*prepare)(const contestant *self, uint64_t *mask); /* before each run, outside the time; NULL for nothing */
     const void *question;                                    /* what run answers: most often a timing_work */
+    int which;                                               /* of several ways that run knows, if it does */
     tribox_options options;                                  /* of a kernel; of the paper's test the order, with no kernel */
     answer_promise promise;
     double pairs;       /* times are divided by this many */
