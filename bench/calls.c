@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "common/asked.h"
+#include "common/sinks.h"
 #include "common/soups.h"
 #include "console/accuracy.h"
 #include "paper/paper.h"
@@ -194,27 +195,10 @@ typedef struct few {
 static const tribox_grid cells = {.origin = {-2, -2, -2}, .cell = {1, 1, 1}, .size = {4, 4, 4}};
 static const tribox_tiles tile = {TILE, 0, 1};
 
-static int take(void *data, const uint32_t at[3], const uint64_t bits[8])
-{
-    (void)data, (void)at, (void)bits;
-    return 0;
-}
-
-static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
-{
-    (void)ids;
-    return take(data, at, bits);
-}
-
-static int take_lists(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t starts[513], const uint32_t *list)
-{
-    (void)starts, (void)list;
-    return take(data, at, bits);
-}
-
-static const tribox_sink sink = {take, NULL};
-static const tribox_ids_sink ids_sink = {take_ids, NULL};
-static const tribox_lists_sink lists_sink = {take_lists, NULL};
+static uint64_t bricks;
+static const tribox_sink sink = {count_brick, &bricks};
+static const tribox_ids_sink ids_sink = {count_ids, &bricks};
+static const tribox_lists_sink lists_sink = {count_lists, &bricks};
 
 #define REGION (&(tribox_region){.box = &f->of.all->box})
 #define BRICKS &cells, &tile, f->tile_start, f->in_tile, how, f->scratch

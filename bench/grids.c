@@ -16,6 +16,7 @@
 
 #include "common/box_scenes.h"
 #include "common/rivals.h"
+#include "common/sinks.h"
 #include "console/system.h"
 #include "voxelize/voxel_task.h"
 
@@ -129,25 +130,6 @@ static int keep(void *data, const uint32_t at[3], const uint64_t bits[8])
     memcpy(b->bits, bits, sizeof b->bits);
     w->bricks++;
     return 0;
-}
-
-static int look(void *data, const uint32_t at[3], const uint64_t bits[8])
-{
-    (void)at, (void)bits;
-    ((work *)data)->bricks++;
-    return 0;
-}
-
-static int look_at_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
-{
-    (void)ids;
-    return look(data, at, bits);
-}
-
-static int look_at_lists(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t starts[513], const uint32_t *list)
-{
-    (void)starts, (void)list;
-    return look(data, at, bits);
 }
 
 /* ---- the ways -------------------------------------------------------------------------------------------------------------- */
@@ -277,11 +259,11 @@ static bool run_bricks(work *w, const tribox_sink *sink, const tribox_ids_sink *
 
 static bool run_kept(work *w) { return run_bricks(w, &(tribox_sink){keep, w}, NULL, NULL); }
 
-static bool run_counted(work *w) { return run_bricks(w, &(tribox_sink){look, w}, NULL, NULL); }
+static bool run_counted(work *w) { return run_bricks(w, &(tribox_sink){count_brick, &w->bricks}, NULL, NULL); }
 
-static bool run_bricks_ids(work *w) { return run_bricks(w, NULL, &(tribox_ids_sink){look_at_ids, w}, NULL); }
+static bool run_bricks_ids(work *w) { return run_bricks(w, NULL, &(tribox_ids_sink){count_ids, &w->bricks}, NULL); }
 
-static bool run_bricks_lists(work *w) { return run_bricks(w, NULL, NULL, &(tribox_lists_sink){look_at_lists, w}); }
+static bool run_bricks_lists(work *w) { return run_bricks(w, NULL, NULL, &(tribox_lists_sink){count_lists, &w->bricks}); }
 
 /* What a way needs before the clock runs, and what it is. Pages are taken when they are first touched. */
 enum {

@@ -159,13 +159,8 @@ CONTESTANT_RUN(run_build)
 CONTESTANT_RUN(run_order)
 {
     const ordered_soup *const made = self->question;
-    return !tribox_soup_sort(made->file, made->ids, made->scratch);
-}
-
-CONTESTANT_RUN(run_gather)
-{
-    const ordered_soup *const made = self->question;
-    return !tribox_soup_gather(made->file, made->ids, 0, made->soup.count, made->to, made->to + 3, made->to + 6);
+    return !(self->which ? tribox_soup_gather(made->file, made->ids, 0, made->soup.count, made->to, made->to + 3, made->to + 6)
+                         : tribox_soup_sort(made->file, made->ids, made->scratch));
 }
 
 static void measure_builds(asked *q, field *f, effort how, scene_result *r)
@@ -184,8 +179,8 @@ static void measure_builds(asked *q, field *f, effort how, scene_result *r)
     for (size_t k = 0; k < BUILDS; k++)
         r->build[kinds[k]] = measure_least(&q->taken, k);
     r->reading = measure_least(&q->taken, BUILDS);
-    for (size_t k = 0; k < 2; k++)
-        list[k] = (contestant){.run = k ? run_gather : run_order, .question = &f->cuts, .pairs = (double)r->triangles};
+    for (int k = 0; k < 2; k++)
+        list[k] = (contestant){.run = run_order, .question = &f->cuts, .which = k, .pairs = (double)r->triangles};
     asked_measure(q, "order", list, 2, NULL, (effort){.rounds = ORDERINGS, .seconds = 1e9}, 1);
     r->order = measure_least(&q->taken, 0);
     r->gather = measure_least(&q->taken, 1);

@@ -4,12 +4,24 @@
 #include <math.h>
 #include <string.h>
 
+/* Nine numbers, each by itself. */
+#define DRAW_EACH(name, number) \
+    void name(generator *g, triangle t) \
+    { \
+        for (int n = 0; n < 9; n++) \
+            t[n / 3][n % 3] = number; \
+    }
+
 /* The paper, section 3: three independent vertices. */
-void draw_paper(generator *g, triangle t)
-{
-    for (int n = 0; n < 9; n++)
-        t[n / 3][n % 3] = random_between(g, -2, 2);
-}
+DRAW_EACH(draw_paper, random_between(g, -2, 2))
+
+DRAW_EACH(draw_inside, random_between(g, -0.5f, 0.5f))
+
+/* Quarters in [-2, 2]: faces, edges and corners of the box are lattice points, so contact is common and bounds cannot decide it. */
+DRAW_EACH(draw_lattice, (float)random_below(g, 17) * 0.25f - 2)
+
+/* Tenths, which floats only approximate: a centre and half size formed from such bounds are rounded, and contact may be lost. */
+DRAW_EACH(draw_tenths, (float)random_below(g, 26) / 10)
 
 /* The same a million units away, where floats are 1/16 apart. */
 void draw_offset(generator *g, triangle t)
@@ -27,26 +39,6 @@ void draw_sparse(generator *g, triangle t)
         for (int j = 0; j < 3; j++)
             t[j][a] = about + random_between(g, -0.1f, 0.1f);
     }
-}
-
-void draw_inside(generator *g, triangle t)
-{
-    for (int n = 0; n < 9; n++)
-        t[n / 3][n % 3] = random_between(g, -0.5f, 0.5f);
-}
-
-/* Quarters in [-2, 2]: faces, edges and corners of the box are lattice points, so contact is common and bounds cannot decide it. */
-void draw_lattice(generator *g, triangle t)
-{
-    for (int n = 0; n < 9; n++)
-        t[n / 3][n % 3] = (float)random_below(g, 17) * 0.25f - 2;
-}
-
-/* Tenths, which floats only approximate: a centre and half size formed from such bounds are rounded, and contact may be lost. */
-void draw_tenths(generator *g, triangle t)
-{
-    for (int n = 0; n < 9; n++)
-        t[n / 3][n % 3] = (float)random_below(g, 26) / 10;
 }
 
 /*

@@ -202,22 +202,16 @@ bool scene_make(const char *name, uint64_t seed, bool has_boxes, scene *made)
     const size_t boxes = is_many ? SCENE_BOXES : 1, each = recipe->count / boxes;
     generator g = {seed};
     made->what = recipe->what;
-    if (!timing_work_make(&made->work, boxes, boxes * timing_work_room(each)) || !draw_all(recipe, &g, made->work.triangles)) {
-        fprintf(stderr, "bench: cannot make scene %s of %zu triangles: out of memory, or tribox_overlap failed\n", recipe->name,
-                recipe->count);
-        scene_free(made);
-        return false;
-    }
-    for (size_t b = 0; b < boxes; b++) {
+    bool is_made =
+        timing_work_make(&made->work, boxes, boxes * timing_work_room(each)) && draw_all(recipe, &g, made->work.triangles);
+    for (size_t b = 0; is_made && b < boxes; b++) {
         const timing_job job = timing_work_soup(&made->work, each);
         const tribox_box box = is_many ? draw_box(&g) : box_of(recipe);
         timing_work_add(&made->work, &job, &box);
     }
-    if (recipe->draw || timing_work_mesh(&made->work))
-        return true;
-    fprintf(stderr, "bench: out of memory for the mesh of %s\n", recipe->name);
-    scene_free(made);
-    return false;
+    is_made = is_made && (recipe->draw || timing_work_mesh(&made->work));
+    return is_made || message_failure("cannot make scene %s of %zu triangles: out of memory, or tribox_overlap failed", name,
+                                      recipe->count) == EXIT_CODE_OK;
 }
 
 bool scene_room(scene *made, size_t triangles)

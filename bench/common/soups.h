@@ -20,7 +20,7 @@ bool scene_is_known(const char *name);
 /* How often rounding loses a tie depends on the box: one box says little of others. Each has whole lines of triangles. */
 enum { SCENE_BOXES = 125 };
 
-/* Makes a scene; has_boxes: of rounded ties with many boxes. False, with a message on stderr, where it fails. */
+/* Makes a scene; has_boxes: of rounded ties with many boxes. scene_free follows in any case. */
 bool scene_make(const char *name, uint64_t seed, bool has_boxes, scene *made);
 
 void scene_free(scene *made);
