@@ -202,8 +202,6 @@ static void crop_put(crop *c, crop_side side, const void *bytes, size_t size)
     c->filled[side] += size;
 }
 
-enum { STL_HEADER = 84, STL_COUNT_AT = 80 };
-
 /* In parts, since the library counts up to 2^32 bits at once. */
 static uint64_t count_part(const crop_choice *choice)
 {

@@ -14,7 +14,7 @@
 #include "files/files.h"
 #include "tribox.h"
 
-enum { NUMBERS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, STL_RECORD = 50 };
+enum { NUMBERS = 9, STL_RECORD = 50 };
 
 const triangle_layout triangle_layouts[] = {[TRIANGLES_STL] = {"stl", ".stl", STL_HEADER, STL_RECORD, 12, sizeof(float)},
                                             [TRIANGLES_F32] = {"f32", ".f32", 0, NUMBERS * sizeof(float), 0, sizeof(float)},

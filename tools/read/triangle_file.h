@@ -17,6 +17,8 @@ typedef enum triangle_format {
     TRIANGLES_KINDS  /* and what follows, a mesh_kind each: as OTHER, but read as that, whatever the name */
 } triangle_format;
 
+enum { STL_HEADER = 84, STL_COUNT_AT = 80 };
+
 mesh_kind triangle_format_kind(triangle_format format); /* OTHER where it is none of these */
 
 /* Triangles of a block: whole words of a mask, in streams that fit the cache. */
