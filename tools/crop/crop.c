@@ -15,6 +15,7 @@
 #include "console/progress.h"
 #include "read/little.h"
 #include "read/scan.h"
+#include "write/voxels.h"
 
 static const char *const options[CROP_SIDES] = {"-o", "--rest"};
 
@@ -202,18 +203,6 @@ static void crop_put(crop *c, crop_side side, const void *bytes, size_t size)
     c->filled[side] += size;
 }
 
-/* In parts, since the library counts up to 2^32 bits at once. */
-static uint64_t count_part(const crop_choice *choice)
-{
-    const uint64_t part = UINT64_C(1) << 30;
-    uint64_t set = 0;
-    for (uint64_t first = 0; first < choice->triangles; first += part) {
-        const uint64_t left = choice->triangles - first;
-        set += tribox_mask_indices(choice->bits + first / 64, (size_t)(left < part ? left : part), NULL);
-    }
-    return set;
-}
-
 /* It ends in the number of triangles. */
 static void put_stl_header(crop *c, const triangle_file *file)
 {
@@ -223,7 +212,8 @@ static void put_stl_header(crop *c, const triangle_file *file)
         c->is_changed = true;
         return;
     }
-    const uint64_t part = count_part(&c->choice), counts[CROP_SIDES] = {part, c->choice.triangles - part};
+    const uint64_t part = voxels_count(c->choice.bits, tribox_mask_words((size_t)c->choice.triangles)),
+                   counts[CROP_SIDES] = {part, c->choice.triangles - part};
     for (int s = 0; s < CROP_SIDES; s++) {
         little_put32(header + STL_COUNT_AT, (uint32_t)counts[s]);
         crop_put(c, (crop_side)s, header, sizeof header);

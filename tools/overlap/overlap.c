@@ -9,6 +9,7 @@
 #include "console/progress.h"
 #include "console/system.h"
 #include "read/mesh_file.h"
+#include "write/voxels.h"
 
 int masks_make(size_t count, bool wants_inside, masks *bits)
 {
@@ -48,16 +49,6 @@ static tribox_status ask(const request *r, const asked_triangles *t, const masks
                         : tribox_overlap(&t->soup, box, &r->test, bits->overlap, report);
 }
 
-/* In parts, since the library counts up to 2^32 bits at once. */
-static uint64_t count_bits(const uint64_t *mask, size_t count)
-{
-    const size_t part = (size_t)1 << 30;
-    uint64_t set = 0;
-    for (size_t first = 0; first < count; first += part)
-        set += tribox_mask_indices(mask + first / 64, count - first < part ? count - first : part, NULL);
-    return set;
-}
-
 int overlap_ask(const request *r, const asked_triangles *t, const masks *bits, answer *a)
 {
     tribox_report report;
@@ -68,7 +59,7 @@ int overlap_ask(const request *r, const asked_triangles *t, const masks *bits, a
         return message_status(status);
     a->overlapping += report.overlapping;
     a->undecided += report.undecided;
-    a->inside += bits->inside ? count_bits(bits->inside, t->count) : 0;
+    a->inside += bits->inside ? voxels_count(bits->inside, tribox_mask_words(t->count)) : 0;
     return EXIT_CODE_OK;
 }
 
