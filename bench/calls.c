@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "common/asked.h"
-#include "common/sinks.h"
+#include "common/counting.h"
 #include "common/soups.h"
 #include "console/accuracy.h"
 #include "paper/paper.h"

@@ -16,7 +16,7 @@
 
 #include "common/box_scenes.h"
 #include "common/rivals.h"
-#include "common/sinks.h"
+#include "common/counting.h"
 #include "console/system.h"
 #include "voxelize/voxel_task.h"
 

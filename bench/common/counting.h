@@ -1,6 +1,6 @@
-/* sinks.h - take bricks, with ids and lists, and do nothing but count them. */
-#ifndef BENCH_SINKS_H
-#define BENCH_SINKS_H
+/* counting.h - take bricks, with ids and lists, and do nothing but count them. */
+#ifndef BENCH_COUNTING_H
+#define BENCH_COUNTING_H
 
 #include "tribox.h"
 
