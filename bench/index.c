@@ -38,7 +38,6 @@ typedef struct scene_result {
 typedef struct field {
     const scene *scene;
     ordered_soup cuts;
-    void *file_nodes, *mesh_nodes[2];
     tribox_index file, mesh_index[2];
     tribox_mesh mesh[2]; /* of floats; of doubles, far from zero */
     float (*floats)[3];
@@ -81,7 +80,8 @@ static bool make_meshes(field *f)
                                    .index_bytes = 4,
                                    .count = count,
                                    .position_bytes = k ? 8 : 4};
-        f->mesh_index[k] = (tribox_index){.nodes = f->mesh_nodes[k], .mesh = &f->mesh[k], .ids = f->cuts.ids};
+        f->mesh_index[k] =
+            (tribox_index){.nodes = asked_allocate(tribox_index_bytes(count), 1), .mesh = &f->mesh[k], .ids = f->cuts.ids};
     }
     return vertices;
 }
@@ -118,10 +118,7 @@ static bool make(const scene *at, size_t boxes, size_t evicted, const char *kern
     f->wide = asked_allocate(boxes, sizeof *f->wide);
     f->moved = asked_allocate(boxes, sizeof *f->moved);
     f->turned = asked_allocate(boxes, sizeof *f->turned);
-    f->file_nodes = asked_allocate(tribox_index_bytes(count), 1);
-    f->mesh_nodes[0] = asked_allocate(tribox_index_bytes(count), 1);
-    f->mesh_nodes[1] = asked_allocate(tribox_index_bytes(count), 1);
-    f->file = (tribox_index){.nodes = f->file_nodes, .soup = &at->work.jobs[0].soup};
+    f->file = (tribox_index){.nodes = asked_allocate(tribox_index_bytes(count), 1), .soup = &at->work.jobs[0].soup};
     return make_meshes(f) || message_failure("out of memory for meshes") == EXIT_CODE_OK;
 }
 

@@ -96,19 +96,12 @@ int asked_cells(asked *q, const char *value)
     return message_usage("--cells: give %d at most", ASKED_CELLS);
 }
 
-/* What the line is read into. */
-typedef struct reading {
-    asked *q;
-    const bench_question *of;
-} reading;
-
 static int take(void *into, int which, const char *value)
 {
-    const reading *const r = into;
-    asked *const q = r->q;
+    asked *const q = into;
     if (which == OPTION_OPERAND)
-        return r->of->takes_meshes ? EXIT_CODE_OK : message_usage("unexpected '%s'", value);
-    if (!((FOR_ALL | r->of->options) >> which & 1))
+        return q->of->takes_meshes ? EXIT_CODE_OK : message_usage("unexpected '%s'", value);
+    if (!((FOR_ALL | q->of->options) >> which & 1))
         return message_usage("unknown option '--%s'", table[which].name);
     q->given |= UINT64_C(1) << which;
     q->number[which] = 1;
@@ -193,9 +186,10 @@ int asked_main(int argc, char **argv, const bench_question *const *questions, si
         return message_usage("there is no question '%s'", argv[1]);
     for (int o = 0; o < OPTIONS; o++)
         options[o] = (option_entry){table[o].name, 0, table[o].value != NULL};
+    q->of = of;
     q->kernel = tribox_kernel_name(NULL);
     printout_keep_command(&q->out, argc, argv);
-    const int code = options_read(argc - skipped, argv + skipped, options, take, &(reading){q, of}, &found);
+    const int code = options_read(argc - skipped, argv + skipped, options, take, q, &found);
     if (code)
         return code;
     if (found.wants_help)
