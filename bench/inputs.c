@@ -533,7 +533,7 @@ static bool answer_cgal(asked *q)
     if (!cgal_version)
         return message_failure("built without CGAL (Debian: libcgal-dev)") == EXIT_CODE_OK;
     printout_note(&q->out, "CGAL       %s, in C++17 with -O3 and without its assertions", cgal_version());
-    return scenes_ask_named(q, scenes_of_contact, SCENES_OF_CONTACT, false, ask_peers);
+    return scenes_ask_named(q, scenes_compared, SCENES_COMPARED, false, ask_peers);
 }
 
 const bench_question question_inputs = {.name = "inputs",

@@ -149,8 +149,8 @@ static bool ask_mesh(asked *q, const char *path)
 
 static bool answer(asked *q)
 {
-    const size_t count = asked_has(q, OPTION_NO_SCENES) ? 0 : SCENES_OF_CONTACT + 1;
-    bool is_right = scenes_ask_named(q, scenes_of_contact, count, true, ask_scene);
+    const size_t count = asked_has(q, OPTION_NO_SCENES) ? 0 : SCENES_COMPARED + 1;
+    bool is_right = scenes_ask_named(q, scenes_compared, count, true, ask_scene);
     for (size_t k = 0; is_right && k < q->meshes.count; k++)
         is_right = ask_mesh(q, q->meshes.path[k]);
     return is_right;

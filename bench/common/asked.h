@@ -52,8 +52,8 @@ typedef enum asked_option { ASKED_OPTIONS(ASKED_OPTION) OPTIONS } asked_option;
 enum { ASKED_CELLS = 16 };
 
 typedef struct asked {
-    const struct bench_question *of;
-    uint64_t number[OPTIONS]; /* 1 of a flag that was given, and of a text */
+    const struct bench_question *of; /* what is asked */
+    uint64_t number[OPTIONS];        /* 1 of a flag that was given, and of a text */
     const char *text[OPTIONS];
     uint64_t given; /* bit o: option o */
     uint64_t seed;

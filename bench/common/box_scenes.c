@@ -123,8 +123,8 @@ static mesh_list usual_meshes(void)
     return (mesh_list){NULL, 0};
 }
 
-const char *const scenes_of_contact[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",
-                                         "touching-ulp", "offset", "needles", "caps",       "thin"};
+const char *const scenes_compared[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",
+                                       "touching-ulp", "offset", "needles", "caps",       "thin"};
 
 bool scenes_ask_named(asked *q, const char *const *names, size_t count, bool has_boxes, scene_answer *ask)
 {

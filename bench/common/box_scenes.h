@@ -19,9 +19,9 @@ typedef bool scene_answer(asked *q, scene *at);
  */
 bool scenes_ask_named(asked *q, const char *const *names, size_t count, bool has_boxes, scene_answer *ask);
 
-/* The nine scenes of most contact, for comparisons of answers, and `thin`. */
-enum { SCENES_OF_CONTACT = 9 };
-extern const char *const scenes_of_contact[SCENES_OF_CONTACT + 1];
+/* Nine scenes for comparisons of answers, and `thin`. */
+enum { SCENES_COMPARED = 9 };
+extern const char *const scenes_compared[SCENES_COMPARED + 1];
 
 /*
  * Asks about three shapes that are made here, if they are of the kinds; about the meshes of the command line; and about a terrain

@@ -7,8 +7,7 @@
 typedef struct scene {
     const char *name;
     const char *what; /* in a few words, for reports */
-    timing_work
-        work; /* one job; of a mesh one for each cell, of rounded ties one for each of SCENE_BOXES boxes, if they are asked for */
+    timing_work work; /* one job; of rounded ties one for each of SCENE_BOXES boxes, if they are asked for */
 } scene;
 
 /* The names of those that are not made for the order of the axes alone, one after another; then NULL. */
