@@ -37,19 +37,10 @@ static void draw_triangle(random_source *r, double size, model *m)
     put(m, v[0], v[1], v[2]);
 }
 
-static void shake(random_source *r, model *m)
-{
-    for (size_t k = 0; k < 9 * m->count; k++) {
-        float *const x = &m->triangles[k / 9].u[k / 3 % 3][k % 3];
-        *x = nextafterf(*x, *x + (float)random_int_between(r, -1, 1));
-    }
-}
-
 model model_make(shape s, size_t count, double size, random_source *r)
 {
     enum { LEVELS = 4, AROUND = 64, ACROSS = 32, STEPS = 8 };
-    static const size_t counts[] = {
-        [ICOSPHERE] = 20 << 2 * LEVELS, [TORUS] = 2 * AROUND * ACROSS, [CUBE] = 12 * STEPS * STEPS, [SHAKEN] = 20 << 2 * LEVELS};
+    static const size_t counts[] = {[ICOSPHERE] = 20 << 2 * LEVELS, [TORUS] = 2 * AROUND * ACROSS, [CUBE] = 12 * STEPS * STEPS};
     model m = {.triangles = memory_of(s == SOUP ? count : counts[s], sizeof(triangle))};
     const closed_mesh_sink to = {put, &m};
     if (s == SOUP)
@@ -61,19 +52,14 @@ model model_make(shape s, size_t count, double size, random_source *r)
         closed_cube(&to, STEPS);
     else
         closed_icosphere(&to, LEVELS);
-    if (s == SHAKEN) { /* all but touching, everywhere */
-        model_place(&m, 28, ALIKE(32));
-        model_snap(&m);
-        shake(r, &m);
-    }
     return m;
 }
 
-void model_place(model *m, double scale, const double shift[3])
+void model_place(model *m, double scale, double shift)
 {
     for (size_t k = 0; k < 9 * m->count; k++) {
         float *const x = &m->triangles[k / 9].u[k / 3 % 3][k % 3];
-        *x = (float)(scale * (double)*x + shift[k % 3]);
+        *x = (float)(scale * (double)*x + shift);
     }
 }
 
@@ -189,7 +175,7 @@ static double cross_part(const double p[3], const double q[3], int axis)
     return p[a] * q[b] - p[b] * q[a];
 }
 
-bool crossing_make(const triangle *t, int axis, const float from[3], crossing *c)
+bool crossing_of(const triangle *t, int axis, const float from[3], double *at)
 {
     double edge[2][3], v[3][3], n[3];
     for (int k = 0; k < 9; k++)
@@ -200,10 +186,9 @@ bool crossing_make(const triangle *t, int axis, const float from[3], crossing *c
         n[a] = cross_part(edge[0], edge[1], a);
     if (n[axis] == 0)
         return false;
-    c->t = (n[0] * v[0][0] + n[1] * v[0][1] + n[2] * v[0][2]) / n[axis];
-    c->cosine = n[axis] / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    c->barycentric = INFINITY;
+    *at = (n[0] * v[0][0] + n[1] * v[0][1] + n[2] * v[0][2]) / n[axis];
     for (int j = 0; j < 3; j++)
-        c->barycentric = fmin(c->barycentric, cross_part(v[(j + 1) % 3], v[(j + 2) % 3], axis) / n[axis]);
+        if (cross_part(v[(j + 1) % 3], v[(j + 2) % 3], axis) / n[axis] < 0)
+            return false;
     return true;
 }

@@ -25,20 +25,19 @@ typedef struct model {
 
 /*
  * In [-1, 1]^3. SOUP: `count` triangles, whose vertices lie within `size` of each other on every axis; 2 is anywhere. `size` of a
- * torus is that of its tube. SHAKEN: an icosphere in integers from 4 to 60, each moved by an ulp, up or down, or not at all.
+ * torus is that of its tube.
  */
-typedef enum shape { SOUP, ICOSPHERE, TORUS, CUBE, SHAKEN } shape;
+typedef enum shape { SOUP, ICOSPHERE, TORUS, CUBE } shape;
 model model_make(shape s, size_t count, double size, random_source *r);
 
 /* x to scale * x + shift, rounded once; and to the nearest integer. */
-#define ALIKE(x) ((const double[3]){x, x, x})
-void model_place(model *m, double scale, const double shift[3]);
+void model_place(model *m, double scale, double shift);
 void model_snap(model *m);
 
 /* The same triangles as the library takes them. Returns their memory. */
 float *model_soup(const model *m, tribox_soup *soup);
 
-enum { CELLS_MAX = 128 /* on one axis */ };
+enum { CELLS_MAX = 64 /* on one axis */ };
 
 typedef struct planes {
     tribox_grid grid;
@@ -74,14 +73,7 @@ static inline size_t block_cells(const block *b) { return (size_t)b->count[0] * 
 size_t block_number(const block *b, const int cell[3]);
 void block_cell(const block *b, size_t number, int cell[3]);
 
-/* A line along an axis and the plane of a triangle: in double, from the floats that Embree was given. */
-typedef struct crossing {
-    double t;           /* from the start of the line */
-    double barycentric; /* the smallest of the three: below zero outside the triangle */
-    double cosine;      /* between the line and the triangle's normal, with its sign */
-} crossing;
-
-/* False if the line is parallel to the plane, or the triangle has none. */
-bool crossing_make(const triangle *t, int axis, const float from[3], crossing *c);
+/* How far from its start a line along an axis meets a triangle. False if it does not, or lies in its plane, or there is none. */
+bool crossing_of(const triangle *t, int axis, const float from[3], double *at);
 
 #endif

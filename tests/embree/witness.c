@@ -213,68 +213,50 @@ static plane_scene plane_scene_make(const planes *p, const model *s)
     return d;
 }
 
-/* The cells of one axis that a point may lie in. */
-typedef struct reach {
-    int first, last;
-    bool is_certain;
-} reach;
-
 /* A point that is on a plane of the grid by construction lies in the cells on both sides. */
-static reach reach_of_plane(const planes *p, int axis, int plane)
+static span cells_at_plane(const planes *p, int axis, int plane)
 {
-    return (reach){plane > 0 ? plane - 1 : 0, plane < (int)p->grid.size[axis] ? plane : (int)p->grid.size[axis] - 1, true};
+    return (span){plane > 0 ? plane - 1 : 0, plane < (int)p->grid.size[axis] ? plane : (int)p->grid.size[axis] - 1};
 }
 
-static reach reach_of_number(const planes *p, int axis, double x, double tolerance)
-{
-    const span met = planes_met(p, axis, x - tolerance, x + tolerance);
-    const bool is_inside = met.first == met.last && (double)p->at[axis][met.first] <= x - tolerance &&
-                           x + tolerance <= (double)p->at[axis][met.first + 1];
-    return (reach){met.first, met.last, tolerance == 0 || is_inside};
-}
+static span cells_at(const planes *p, int axis, double x) { return planes_met(p, axis, x, x); }
 
-static void mark(witness *w, size_t t, const reach at[3], bool is_witness)
+static void mark(witness *w, size_t t, const span at[3])
 {
     const block *const candidates = &w->candidates[t];
-    const bool is_certain = is_witness && at[0].is_certain && at[1].is_certain && at[2].is_certain;
     int c[3];
     for (c[2] = at[2].first; c[2] <= at[2].last; c[2]++)
         for (c[1] = at[1].first; c[1] <= at[1].last; c[1]++)
             for (c[0] = at[0].first; c[0] <= at[0].last; c[0]++) {
-                const size_t number = block_number(candidates, c), word = w->first_word[t] + number / 64;
-                if (number == block_cells(candidates)) {
-                    w->strays += is_certain;
-                    continue;
-                }
-                const uint64_t bit = UINT64_C(1) << number % 64;
-                w->possible[word] |= bit;
-                w->certain[word] |= is_certain ? bit : 0;
+                const size_t number = block_number(candidates, c);
+                if (number == block_cells(candidates))
+                    w->strays++;
+                else
+                    w->met[w->first_word[t] + number / 64] |= UINT64_C(1) << number % 64;
             }
 }
 
 static void mark_vertices(witness *w, size_t t)
 {
     for (int j = 0; j < 3; j++) {
-        reach at[3];
+        span at[3];
         for (int a = 0; a < 3; a++)
-            at[a] = reach_of_number(w->planes, a, (double)w->model->triangles[t].u[j][a], 0);
-        mark(w, t, at, true);
+            at[a] = cells_at(w->planes, a, (double)w->model->triangles[t].u[j][a]);
+        mark(w, t, at);
     }
 }
 
 /* Where edge p q crosses a plane of the grid. False beyond the ends of the edge. */
-static bool edge_reach(const witness *w, const float p[3], const float q[3], int axis, int plane, reach at[3])
+static bool edge_crosses(const witness *w, const float p[3], const float q[3], int axis, int plane, span at[3])
 {
     const double rise = (double)q[axis] - (double)p[axis], part = (double)w->planes->at[axis][plane] - (double)p[axis];
     if (rise == 0 || part / rise < 0 || part / rise > 1)
         return false;
-    at[axis] = reach_of_plane(w->planes, axis, plane);
+    at[axis] = cells_at_plane(w->planes, axis, plane);
     for (int k = 1; k < 3; k++) {
         const int a = (axis + k) % 3;
         const double along = (double)q[a] - (double)p[a];
-        const double tolerance = w->is_exact ? 0 : 1.6e-15 * (fabs((double)p[a]) + fabs(along));
-        at[a] = along == 0 ? reach_of_number(w->planes, a, (double)p[a], 0)
-                           : reach_of_number(w->planes, a, (double)p[a] + part * along / rise, tolerance);
+        at[a] = cells_at(w->planes, a, along == 0 ? (double)p[a] : (double)p[a] + part * along / rise);
     }
     return true;
 }
@@ -288,13 +270,13 @@ static void cast_edge(witness *w, plane_scene *d, size_t t, int j)
     const unsigned *hits;
     const size_t count = embree_cast(d->scene, p, along, 1 + 0x1p-20f, &hits);
     for (size_t k = 0; k < count; k++) {
-        reach at[3];
+        span at[3];
         const int number = (int)hits[k], axis = (number >= d->first[1]) + (number >= d->first[2]);
-        const bool is_met = edge_reach(w, p, q, axis, number - d->first[axis], at);
+        const bool is_met = edge_crosses(w, p, q, axis, number - d->first[axis], at);
         if (is_met)
-            mark(w, t, at, true);
+            mark(w, t, at);
         w->edges += is_met;
-        w->left_out += !is_met;
+        w->strays += !is_met;
     }
 }
 
@@ -307,29 +289,24 @@ static void cast_edges(witness *w)
     embree_scene_free(d.scene);
 }
 
-/* Embree's own slack at the border of a triangle, as a barycentric coordinate. */
-static const double softest = -1e-5;
-
 /* A lattice line along the axis, at[a] and at[b] being its planes on the two others. */
-static void cast_lattice_line(witness *w, embree_scene *scene, int axis, reach at[3], const float from[3])
+static void cast_lattice_line(witness *w, embree_scene *scene, int axis, span at[3], const float from[3])
 {
     const planes *const p = w->planes;
-    const float lowest = (float)p->at[axis][0], highest = (float)p->at[axis][(int)p->grid.size[axis]];
+    const float highest = (float)p->at[axis][(int)p->grid.size[axis]];
     const float cell = (float)p->grid.cell[axis];
     float along[3] = {0};
     along[axis] = 1;
     const unsigned *hits;
     const size_t count = embree_cast(scene, from, along, highest - from[axis] + cell, &hits);
     for (size_t k = 0; k < count; k++) {
-        crossing c;
-        if (!crossing_make(&w->model->triangles[hits[k]], axis, from, &c) || c.barycentric < softest) {
-            w->ghost++;
+        double along_line;
+        if (!crossing_of(&w->model->triangles[hits[k]], axis, from, &along_line)) {
+            w->strays++;
             continue;
         }
-        const double scale = fabs((double)from[axis]) + fabs(c.t) + ((double)highest - (double)lowest);
-        at[axis] = reach_of_number(p, axis, (double)from[axis] + c.t, w->is_exact ? 0 : 1e-14 * scale / fabs(c.cosine));
-        mark(w, hits[k], at, c.barycentric >= 0);
-        w->soft += c.barycentric < 0;
+        at[axis] = cells_at(p, axis, (double)from[axis] + along_line);
+        mark(w, hits[k], at);
         w->hits++;
     }
 }
@@ -342,9 +319,9 @@ static void cast_lattice(witness *w)
         const int a = (axis + 1) % 3, b = (axis + 2) % 3;
         for (int i = 0; i <= (int)p->grid.size[a]; i++)
             for (int j = 0; j <= (int)p->grid.size[b]; j++) {
-                reach at[3];
-                at[a] = reach_of_plane(p, a, i);
-                at[b] = reach_of_plane(p, b, j);
+                span at[3];
+                at[a] = cells_at_plane(p, a, i);
+                at[b] = cells_at_plane(p, b, j);
                 float from[3];
                 from[axis] = (float)(p->at[axis][0] - p->grid.cell[axis]);
                 from[a] = (float)p->at[a][i];
@@ -364,13 +341,12 @@ static void find_candidates(witness *w)
         w->candidates[t] = planes_candidates(w->planes, &w->model->triangles[t]);
         w->first_word[t + 1] = w->first_word[t] + tribox_mask_words(block_cells(&w->candidates[t]));
     }
-    w->certain = memory_of(w->first_word[count], sizeof *w->certain);
-    w->possible = memory_of(w->first_word[count], sizeof *w->possible);
+    w->met = memory_of(w->first_word[count], sizeof *w->met);
 }
 
-witness witness_make(const planes *p, const model *s, bool is_exact)
+witness witness_make(const planes *p, const model *s)
 {
-    witness w = {.planes = p, .model = s, .is_exact = is_exact};
+    witness w = {.planes = p, .model = s};
     find_candidates(&w);
     for (size_t t = 0; t < s->count; t++)
         mark_vertices(&w, t);
@@ -383,6 +359,5 @@ void witness_free(witness *w)
 {
     free(w->candidates);
     free(w->first_word);
-    free(w->certain);
-    free(w->possible);
+    free(w->met);
 }

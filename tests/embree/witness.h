@@ -21,19 +21,15 @@ bool witness_is_usable(void);
 typedef struct witness {
     const planes *planes;
     const model *model;
-    bool is_exact; /* the coordinates are small integers of one unit: no tolerance anywhere */
     block *candidates;
     size_t *first_word;
-    uint64_t *certain;  /* a witness beyond the rounding of this test: the pair overlaps */
-    uint64_t *possible; /* certain, or a witness within the rounding: a pair without does not overlap */
+    uint64_t *met;
     size_t hits, edges; /* of lattice lines, and of edges of triangles */
-    size_t soft, ghost; /* lattice hits outside the triangle: by Embree's tolerance; by more */
-    size_t left_out;    /* edge hits beyond the edge's end, by the rounding of its direction */
-    size_t strays;      /* certain marks outside of the triangle's candidates: a fault of this test, always 0 */
+    size_t strays;      /* hits beside the triangle or beyond the edge, cells outside the candidates: a fault of this test, 0 */
 } witness;
 
 /* Keeps both arguments. */
-witness witness_make(const planes *p, const model *m, bool is_exact);
+witness witness_make(const planes *p, const model *m);
 void witness_free(witness *w);
 
 #endif
