@@ -122,10 +122,6 @@ def forms(triangles):
     yield from of_libraries(vertices, faces)
 
 
-def bits_of(words, count):
-    return np.unpackbits(np.array(words, "<u4").view(np.uint8), bitorder="little")[:count].view(bool)
-
-
 class Question(SimpleNamespace):
     """triangles, box, oriented, grid, and answers by name."""
 

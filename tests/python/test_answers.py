@@ -3,7 +3,6 @@
 import copy
 import pickle
 import warnings
-from fractions import Fraction
 from types import SimpleNamespace
 
 import numpy as np
@@ -69,8 +68,10 @@ PAIRS = [
     ("inside", lambda a: tribox.classify(a.form, *a.box)[1]),
     ("inside", lambda a: unpacked(tribox.classify(a.form, *a.box, packed=True)[1], a.count)),
     ("inside", lambda a: marked(tribox.crop(a.form, *a.box, inside=True).face_numbers.astype(np.uint32), a.count)),
-    ("first", lambda a: tribox.find(a.form, *a.box)),
-    ("firstMiss", lambda a: tribox.find(a.form, a.box, what="miss")),
+    ("axes7First", lambda a: tribox.find(a.form, *a.box)),
+    ("axes7FirstMiss", lambda a: tribox.find(a.form, a.box, what="miss")),
+    ("oriented7First", lambda a: tribox.find(a.form, a.oriented)),
+    ("oriented7FirstMiss", lambda a: tribox.find(a.form, a.oriented, what="miss")),
     ("isAny", lambda a: tribox.overlap_any(a.form, *a.box)),
     ("isAll", lambda a: tribox.overlap_all(a.form, a.box)),
     ("children", lambda a: tribox.split(a.form, *a.box)),
@@ -186,9 +187,11 @@ class Asking(cases.TestCase):
                     self.assertEqual((type(answer), answer), (type(expected), expected), message)
 
     def check_forms(self, question, ways, step=1, first=0):
-        answers, mask = question.answers, question.answers["axes7"]
-        answers.update(isAny=bool(mask.any()), isAll=bool(mask.all()), first=int(mask.argmax()) if mask.any() else None,
-                       firstMiss=None if mask.all() else int((~mask).argmax()))
+        answers = question.answers
+        answers.update(isAny=bool(answers["axes7"].any()), isAll=bool(answers["axes7"].all()))
+        for name in {"axes7", "oriented7"} & answers.keys():
+            for key, mask in (name + "First", answers[name]), (name + "FirstMiss", ~answers[name]):
+                answers[key] = int(mask.argmax()) if mask.any() else None
         for number, form in enumerate(cases.forms(question.triangles)):
             if number % step == first % step:
                 self.check(question, form, ways, f"form {number}")
@@ -241,75 +244,8 @@ class Answers(Asking):
                 self.assert_same(other.list(question.box), index.list(question.box))
 
 
-NORTH = np.array([557820.0, 5108010.0, 431.25])  # of UTM coordinates
-
-
-def far(count):
-    """A lattice moved by a huge offset, multiples of it that float64 rounds, and numbers of all sizes."""
-    pick = np.random.default_rng(cases.seed())
-    lattice = cases.lattice(count).astype(float)
-    return {"moved": lattice + NORTH, "tenths": lattice * 0.8 + 0.1, "tenths, moved": lattice * 0.8 + NORTH / 3,
-            "2^100": lattice * 2.0 ** 100, "2^-1000": lattice * 2.0 ** -1000, "near the end": lattice * 2.0 ** 1020,
-            "all sizes": pick.uniform(-1, 1, (count, 3, 3)) * 2.0 ** pick.integers(-1000, 1000, (count, 1, 1)),
-            "next to it": np.nextafter(lattice, pick.choice([-np.inf, np.inf], lattice.shape)) + 4,
-            "floats": cases.lattice(count) * np.float32(0.8) + np.float32(0.1)}
-
-
-def boxes_about(triangles):
-    """Boxes whose bounds are numbers of the vertices, one ulp off, or any."""
-    pick = np.random.default_rng(cases.seed())
-    corners = triangles.reshape(-1, 3).astype(float)
-    for nudge in (0, np.inf, -np.inf):
-        lo, hi = (np.array([corners[pick.integers(len(corners)), a] for a in range(3)]) for _ in range(2))
-        lo, hi = np.minimum(lo, hi), np.maximum(lo, hi)
-        yield lo, np.nextafter(hi, nudge) if nudge else hi
-    yield np.median(corners, 0), np.quantile(corners, 0.8, 0)
-
-
-def cell_by_cell(triangles, origin, cell, size):
-    """Planes are rounded once."""
-    def plane(a, number):
-        return float(Fraction(float(origin[a])) + number * Fraction(float(cell[a])))
-
-    answer = np.zeros(size[::-1], bool)
-    for k, j, i in np.ndindex(*answer.shape):
-        lo, hi = ([plane(a, number + past) for a, number in enumerate((i, j, k))] for past in (0, 1))
-        answer[k, j, i] = cases.truth(triangles, lo, hi).any()
-    return answer
-
-
 class Truth(Asking):
-    """In rational numbers, by the same ways: about doubles of every size, and boxes and planes that no float is."""
-
-    def test_doubles(self):
-        axis = ((0.1, 0.2, 0.7), (0, 1 / 3, 0.1), (-0.9, 0, 0.3))
-        for number, (name, triangles) in enumerate(far(24).items()):
-            for turn, (lo, hi) in enumerate(boxes_about(triangles)):
-                mask = cases.truth(triangles, lo, hi)
-                oriented = tribox.OrientedBox(triangles[turn, 0], np.subtract(hi, lo) / 3, axis)
-                hits = cases.meshes.overlapping(triangles, [*oriented.center, *oriented.half, *np.ravel(axis)])
-                misses = [number for number in range(24) if number not in hits]
-                self.assertEqual([tribox.find(triangles, oriented, what=what) for what in ("hit", "miss")],
-                                 [numbers[0] if len(numbers) else None for numbers in (hits, misses)])
-                answers = {"axes7": mask, "inside": ((triangles >= lo) & (triangles <= hi)).all((1, 2)),
-                           "oriented7": marked(np.array(hits, np.uint32), 24)}
-                self.check_forms(cases.Question(name=name, triangles=triangles, box=(tuple(lo), tuple(hi)), oriented=oriented,
-                                                answers=answers), PAIRS, 4, number + turn)
-
-    def test_planes(self):
-        for name in ("moved", "tenths", "tenths, moved", "floats"):
-            triangles = far(5)[name]
-            grid = triangles.reshape(-1, 3).min(0) + (-0.3, -0.7, -0.1), (0.3, 0.1, 1 / 3), (3, 5, 4)
-            for form in cases.forms(triangles):
-                self.assert_same(np.asarray(tribox.voxelize(form, grid)), cell_by_cell(triangles, *grid), name)
-
-    def test_stated_planes(self):
-        """A point a hair beside a plane that no float32 is."""
-        for at in 0.1 * np.arange(1, 100):
-            for x in (np.nextafter(np.float32(at), np.float32(-1)), np.float32(at), np.nextafter(np.float32(at), np.float32(99))):
-                cells = tribox.voxelize(np.full((1, 3, 3), [x, 0, 0], np.float32), ((0, 0, 0), 0.1, (100, 1, 1)))[0, 0]
-                self.assertEqual(cells.tolist(),
-                                 [float(i * Fraction(0.1)) <= x <= float((i + 1) * Fraction(0.1)) for i in range(100)])
+    """In rational numbers: what answers.c does not ask."""
 
     def test_many_boxes(self):
         """About one triangle, and by rows and columns, of floats and doubles, with some that are no boxes."""

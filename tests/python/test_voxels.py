@@ -7,7 +7,6 @@ import json
 import os
 import pickle
 import subprocess
-import sys
 import tempfile
 import unittest
 import warnings
@@ -417,25 +416,6 @@ class Insides(cases.TestCase):
                                  [(tribox.OpenMeshWarning, __file__)] * (mesh is not faces))
                 for one in caught:
                     self.assertRegex(str(one.message), pattern)
-
-    def test_vtk(self):
-        """Equal cell by cell on closed meshes."""
-        sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench", "peers"))
-        import peers
-        from asked import Task
-        try:
-            _, ways = peers.vtk()
-        except ImportError:
-            self.skipTest("no VTK")
-        pick = np.random.default_rng(cases.seed())
-        for number in range(30):
-            points, faces = torus(pick, int(pick.integers(5, 50)), int(pick.integers(4, 30)))
-            cell = pick.uniform(0.02, 0.1, 3)
-            grid = tribox.Grid(pick.uniform(-1.5, -1, 3), cell, np.ceil(2.2 / cell).astype(int))
-            found = tribox.voxelize(tribox.Mesh(points, faces), grid, fill="middles")
-            self.assertGreater(found.sum(), 100)
-            call, answer = ways["middles"][1](Task(points, faces, grid))
-            self.assert_same(np.asarray(found), answer(call()), f"round {number}")
 
 
 if __name__ == "__main__":
