@@ -36,20 +36,10 @@ export function stlBytes(triangles) {
     return new Uint8Array(bytes.buffer);
 }
 
-export function stlText(triangles) {
-    const lines = corners(triangles).map((point) => `vertex ${point.join(' ')}`);
-    const facets = faces(triangles).map(
-        (face) => `facet normal 0 0 0\nouter loop\n${face.map((v) => lines[v]).join('\n')}\nendloop\nendfacet`,
-    );
-    return `solid mesh\n${facets.join('\n')}\nendsolid mesh\n`;
-}
-
-const plyHeader = (kind, triangles) =>
-    `ply\nformat ${kind} 1.0\nelement vertex ${triangles.length / 3}\nproperty float x\nproperty float y\n` +
-    `property float z\nelement face ${triangles.length / 9}\nproperty list uchar int vertex_indices\nend_header\n`;
-
 export function plyBytes(triangles) {
-    const header = new TextEncoder().encode(plyHeader('binary_little_endian', triangles)), count = triangles.length / 9;
+    const count = triangles.length / 9, header = new TextEncoder().encode(
+        `ply\nformat binary_little_endian 1.0\nelement vertex ${3 * count}\nproperty float x\nproperty float y\n` +
+        `property float z\nelement face ${count}\nproperty list uchar int vertex_indices\nend_header\n`);
     const bytes = new Uint8Array(header.length + 4 * triangles.length + 13 * count), view = new DataView(bytes.buffer);
     bytes.set(header);
     triangles.forEach((number, i) => view.setFloat32(header.length + 4 * i, number, true));
@@ -89,17 +79,13 @@ export function glbBytes(triangles, change = () => {}) {
 /** The same triangles in every kind of file: name and path. */
 export function everyKind(triangles) {
     const points = corners(triangles).map((point) => point.join(' ')), lists = faces(triangles);
-    const ofThree = lists.map((face) => `3 ${face.join(' ')}`).join('\n');
+    const obj = [...points.map((p) => `v ${p}`), ...lists.map((face) => `f ${face.map((v) => v + 1).join(' ')}`)];
+    const off = ['OFF', `${points.length} ${lists.length} 0`, ...points, ...lists.map((face) => `3 ${face.join(' ')}`)];
     return [
         ['binary.stl', stlBytes(triangles)],
-        ['text.stl', stlText(triangles)],
-        [
-            'mesh.obj',
-            `${points.map((p) => `v ${p}`).join('\n')}\n${lists.map((f) => `f ${f.map((v) => v + 1).join(' ')}`).join('\n')}\n`,
-        ],
-        ['text.ply', `${plyHeader('ascii', triangles)}${points.join('\n')}\n${ofThree}\n`],
+        ['mesh.obj', `${obj.join('\n')}\n`],
         ['binary.ply', plyBytes(triangles)],
-        ['mesh.off', `OFF\n${points.length} ${lists.length} 0\n${points.join('\n')}\n${ofThree}\n`],
+        ['mesh.off', `${off.join('\n')}\n`],
         ['mesh.glb', glbBytes(triangles)],
     ].map(([name, content]) => ({ name, path: write(name, content) }));
 }

@@ -5,7 +5,7 @@ import { scenes } from '../../examples/web/src/scenes/scenes.js';
 import { steps } from '../../examples/web/src/story.js';
 import { visitsOf } from '../../examples/web/src/visits.js';
 import { answerAfter, answerOf, ask, settled } from './answer.mjs';
-import { DESK, openPage, PHONE, SMALL } from './browser.mjs';
+import { DESK, openPage, SMALL } from './browser.mjs';
 import { raw } from './meshes.mjs';
 
 const STILL = { ...SMALL, reducedMotion: 'reduce' };
@@ -259,17 +259,6 @@ export async function oneScrollsOrClicks() {
     assert.equal(await page.getAttribute('#accuracy [value=fast]', 'aria-checked'), 'true');
     await page.click('#console');
     assert.match(await current(), /^7/);
-}
-
-/** Nothing is wider than a phone, in any picture. */
-export async function phone() {
-    const page = await openPage({ query: '?step=1', options: { ...PHONE, reducedMotion: 'reduce' } });
-    const wide = await page.$$eval('.story *, .stage *', (all) =>
-        all
-            .filter((e) => e.checkVisibility() && !e.closest('svg, .visually-hidden'))
-            .filter((e) => e.getBoundingClientRect().right > 360.5).map((e) => e.id || e.className || e.tagName),
-    );
-    assert.deepEqual(wide, []);
 }
 
 /** Without WebGL the answers are the same, in numbers. */
