@@ -14,6 +14,9 @@ import tempfile
 import time
 import unittest
 
+import numpy as np
+import triangles as meshes
+
 SEED = int(os.environ.get("TRIBOX_TEST_SEED", "1"))
 MIB = 1 << 20
 UNIT_BOX = "-0.5,-0.5,-0.5,0.5,0.5,0.5"
@@ -214,6 +217,23 @@ class TestCase(unittest.TestCase):
         os.close(leader)
         self.assertEqual(process.wait(60), 0)
         return said.decode()
+
+
+def grid_of(cell, origin, size):
+    return ("--cell", cell, "--origin=" + origin, "--size", size)
+
+
+class Voxels(TestCase):
+    def mesh_of(self, triangles, name="mesh"):
+        """Floats as such where they are, else doubles."""
+        t = np.array(triangles, float)
+        is_float = np.array_equal(t, meshes.floats(t), equal_nan=True)
+        return self.write(name + (".f32" if is_float else ".f64"), meshes.pack_floats(t, "<f4" if is_float else "<f8"))
+
+    def voxelize(self, *words, ending=".npz", **how):
+        """The path and the answer."""
+        path = self.path("cells" + ending)
+        return path, self.ask("voxelize", *words, "-o", path, **how)
 
 
 def main():

@@ -9,7 +9,7 @@ import harness
 import numpy as np
 import readers
 import triangles as meshes
-from harness import read, text_of
+from harness import Voxels, grid_of, read, text_of
 
 LATTICE = meshes.lattice_triangles(24, seed=5)
 # Triangles of floats, three cells long or so, where floats are 1/16 apart, whose planes float would move.
@@ -19,10 +19,6 @@ FAR = meshes.far_triangles(7, seed=12)
 SMALL = np.array(meshes.lattice_triangles(4, seed=3)) * 2.0 ** -20
 SHIFTED = ("--shift", "557818.3,5108000,0.7")
 OTHERS = ("cells", "ply", "obj", "glb")  # below, and in test_shells
-
-
-def grid_of(cell, origin, size):
-    return ("--cell", cell, "--origin=" + origin, "--size", size)
 
 
 # Sizes around 8 and 64, more than 4096 in a row, one cell, none that is set, cells of three lengths, planes in faces, ends of .vox.
@@ -42,19 +38,6 @@ GRIDS = [
     (FAR, grid_of("0.4", "557819.9,5108010,812", "4,3,2")), (FAR, ("--cell", "0.9", *SHIFTED)),
     (LATTICE, ("--shift", "0.5,-1,2", "--resolution", "11")),
 ]
-
-
-class Voxels(harness.TestCase):
-    def mesh_of(self, triangles, name="mesh"):
-        """Floats as such where they are, else doubles."""
-        t = np.array(triangles, float)
-        is_float = np.array_equal(t, meshes.floats(t), equal_nan=True)
-        return self.write(name + (".f32" if is_float else ".f64"), meshes.pack_floats(t, "<f4" if is_float else "<f8"))
-
-    def voxelize(self, *words, ending=".npz", **how):
-        """The path and the answer."""
-        path = self.path("cells" + ending)
-        return path, self.ask("voxelize", *words, "-o", path, **how)
 
 
 class Answers(Voxels):
@@ -219,19 +202,6 @@ class Answers(Voxels):
                              r"(?m)^occupied     \d+ cells \(.*\)\nbricks       \d+ of 8 x 8 x 8 cells%s\n" % tiles)
         self.assertIn("\nids          the lowest triangle of each cell\n",
                       self.succeed("voxelize", mesh, "-r", "9", "--ids", "-o", self.path("x.npz")))
-
-    def test_bunny_in_utm(self):
-        """A scan, 20 m long, in the coordinates of a map."""
-        path = os.path.join(os.environ.get("TRIBOX_MESHES", ""), "stanford-bunny.ply")
-        if not os.path.isfile(path):
-            self.skipTest("no stanford-bunny.ply; TRIBOX_MESHES names the folder of meshes")
-        head, end, body = read(path).partition(b"end_header\n")
-        count = int(head.split(b"element vertex ")[1].split()[0])
-        v = np.frombuffer(body[:12 * count], "<f4").astype(float).reshape(-1, 3)
-        lo = v.min(0)
-        moved = (v - lo) * (20 / (v.max(0) - lo).max()) + [557820, 5108010, 0]
-        mesh = self.write("utm.ply", head.replace(b"float", b"double") + end + moved.tobytes() + body[12 * count:])
-        self.assertEqual(self.ask("voxelize", mesh, "-c", "0.5", "--count")["occupied"], 5379)
 
 
 class Foreign(Voxels):

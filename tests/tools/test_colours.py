@@ -4,16 +4,12 @@ What is right is found from the triangles alone. A colour is (red, green, blue) 
 or, of a mesh, triangles with a colour each.
 """
 
-import base64
 import functools
 import itertools
-import json
 import math
 import os
 import random
 import struct
-import subprocess
-import sys
 
 import harness
 import numpy as np
@@ -21,7 +17,6 @@ import readers
 import triangles as meshes
 
 SEED = harness.SEED
-HERE = os.path.dirname(os.path.abspath(__file__))
 GRID = ("--cell", "0.5,0.75,0.5", "--origin=-2,-2.25,-2", "--size", "8,6,9")
 ABOUT = {"origin": [-2, -2.25, -2], "cell": [0.5, 0.75, 0.5], "size": [8, 6, 9]}
 
@@ -122,10 +117,13 @@ class Colours(harness.TestCase):
         cls.corners = [(3 * n, 3 * n + 1, 3 * n + 2) for n in range(len(cls.triangles))]
         cls.colours = pick_colours(len(cls.triangles), SEED)
 
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("coloured.ply", ply(self.vertices, self.corners, face_colours=self.colours))
+
     def voxelize(self, mesh, name, *options):
         out = self.path(name)
-        found = self.succeed("voxelize", mesh, *GRID, "--colours", "--json", "-o", out, *options)
-        return out, json.loads(found)
+        return out, self.ask("voxelize", mesh, *GRID, "--colours", "-o", out, *options)
 
     def cells(self, colours):
         """What is right, of colours of triangles."""
@@ -192,10 +190,8 @@ class Meshes(Colours):
         document["materials"] = [{"name": "m%d" % n, **(material or {})} for n, material in enumerate(materials)]
         document["meshes"] = [{"primitives": primitives}]
         document["textures"], document["images"] = [{"source": 0}], [{"uri": "none.png"}]
-        uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
-        document["buffers"] = [{"byteLength": len(data), "uri": uri}]
         order = [n for k in range(count) for n in range(k, len(self.triangles), count)]
-        return json.dumps(document).encode(), order
+        return meshes.in_text(document, data), order
 
     def check_gltf(self, name, content, order, colours, whose):
         """Its triangles come primitive by primitive."""
@@ -233,8 +229,7 @@ class Meshes(Colours):
     def test_own_glb(self):
         """What is written is read again: the cells of a mesh of cells have their colours."""
         self.need("libassimp")
-        mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
-        glb, _ = self.voxelize(mesh, "cells.glb")
+        glb, _ = self.voxelize(self.mesh, "cells.glb")
         again, found = self.voxelize(glb, "again.vox")
         self.assertEqual(found["colours"], "vertices")
         self.assertTrue(set(readers.palette_of(again).values()) <= set(self.colours))
@@ -355,23 +350,9 @@ class Materials(Colours):
         self.assertFalse(os.path.exists(self.path("no.vox")))
 
 
-class Example(harness.TestCase):
-    def test_scene(self):
-        """The example's nine materials are the palette, each as it is written, and every one is seen."""
-        subprocess.run([sys.executable, "-B", os.path.join(HERE, "../../examples/colours/scene.py")], cwd=self.folder, check=True,
-                       timeout=60)
-        out = os.path.join(self.folder, "scene.vox")
-        self.succeed("voxelize", os.path.join(self.folder, "scene.obj"), "--resolution", "64", "--colours", "-q", "-o", out)
-        with open(os.path.join(self.folder, "scene.mtl")) as file:
-            kd = [[float(x) for x in line.split()[1:]] for line in file if line.startswith("Kd")]
-        self.assertEqual(set(readers.palette_of(out).values()), {tuple(int(255 * x + 0.5) for x in colour) for colour in kd})
-        self.assertEqual(len(kd), 9)
-
-
 class Files(Colours):
     def setUp(self):
         super().setUp()
-        self.mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
         self.expected = self.cells(self.colours)
 
     def test_meshes(self):
@@ -484,45 +465,33 @@ class Ways(Colours):
 
     def test_cells_are_the_same(self):
         """Colours change no cell, and what has none is written as before."""
-        mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
-        _, found = self.voxelize(mesh, "cells.vox")
-        plain = json.loads(self.succeed("voxelize", mesh, *GRID, "--json", "-o", self.path("cells.npy")))
+        _, found = self.voxelize(self.mesh, "cells.vox")
+        plain = self.ask("voxelize", self.mesh, *GRID, "-o", self.path("cells.npy"))
         self.assertEqual(found["occupied"], plain["occupied"])
         self.assertNotIn("colours", plain)
         self.assertEqual(readers.places_of(self.path("cells.npy")), set(self.lowest))
 
     def test_no_cell(self):
-        mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
         for ending in (".vox", ".npz", ".ply", ".obj", ".glb"):
-            self.succeed("voxelize", mesh, "--cell", "1", "--origin", "50,50,50", "--size", "3,4,5", "--colours", "-q", "-o",
+            self.succeed("voxelize", self.mesh, "--cell", "1", "--origin", "50,50,50", "--size", "3,4,5", "--colours", "-q", "-o",
                          self.path("no" + ending))
         self.assertEqual(readers.palette_of(self.path("no.vox")), {})
 
     def test_shift(self):
-        mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
-        self.succeed("voxelize", mesh, "--shift", "1,2,3", "--cell", "0.5,0.75,0.5", "--origin=-3,-4.25,-5", "--size", "8,6,9",
+        self.succeed("voxelize", self.mesh, "--shift", "1,2,3", "--cell", "0.5,0.75,0.5", "--origin=-3,-4.25,-5", "--size", "8,6,9",
                      "--colours", "-q", "-o", self.path("cells.ply"))
         self.assertEqual(faces_of(triangles_of(self.path("cells.ply")), ABOUT),
                          faces_expected(self.cells(self.colours)))
 
 
-class Refusals(Colours):
-    def setUp(self):
-        super().setUp()
-        self.mesh = self.write("mesh.ply", ply(self.vertices, self.corners, face_colours=self.colours))
-
-    def refuse(self, code, pattern, *options, mesh=None, out=("-o", "no.vox")):
-        self.fail_with(code, pattern, "voxelize", mesh or self.mesh, *GRID, "--colours", *out, *options, cwd=self.folder)
-
     def test_meshes_without(self):
-        for name, write in meshes.FORMATS.items():
-            mesh = self.write(name, write(self.triangles))
-            self.refuse(1, "(has no colours|no colours of its format are read): .*; leave out --colours", mesh=mesh)
         half = ply(self.vertices, self.corners, face_colours=self.colours, names=("red", "green", "alpha"))
-        self.refuse(1, "has no colours", mesh=self.write("half.ply", half))
-        self.refuse(1, "no colours of its format are read", "--format", "f32",
-                    mesh=self.write("raw.bin", meshes.pack_floats(self.triangles)))
-        self.assertFalse([name for name in os.listdir(self.folder) if name.startswith(("no.", "."))])
+        rows = [("half.ply", half), ("raw.bin", meshes.pack_floats(self.triangles), "--format", "f32"),
+                *((name, write(self.triangles)) for name, write in meshes.FORMATS.items())]
+        for name, content, *options in rows:
+            mesh = self.write(name, content)
+            self.fail_with(1, "(has no colours|no colours of its format are read): .*; leave out --colours", "voxelize", mesh,
+                           *GRID, "--colours", "-o", self.path("no.vox"), *options)
 
 
 if __name__ == "__main__":

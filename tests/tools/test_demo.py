@@ -1,7 +1,6 @@
 """tribox info and tribox demo."""
 
 import functools
-import json
 import os
 import re
 
@@ -25,8 +24,7 @@ def found(text):
 
 class Demo(harness.TestCase):
     def expected_rows(self):
-        kernels = json.loads(self.succeed("info", "--json"))["kernels"]
-        return [("paper", None)] + [(kernel, accuracy) for k, kernel in enumerate(kernels)
+        return [("paper", None)] + [(kernel, accuracy) for k, kernel in enumerate(harness.kernels())
                                     for accuracy in ACCURACIES + ["mesh"] * (k < 2)]
 
     def test_text(self):

@@ -15,8 +15,8 @@ import harness
 import numpy as np
 import readers
 import triangles as meshes
-from harness import MIB, SEED, UNIT_BOX, read
-from test_cells import LATTICE, TILES, Voxels, grid_of
+from harness import MIB, SEED, UNIT_BOX, Voxels, grid_of, read
+from test_cells import LATTICE, TILES
 
 TOO_LARGE = "cannot write all of it: File too large; nothing of it was kept"
 
@@ -460,6 +460,5 @@ class Progress(Files):
                 self.assertEqual(self.on_terminal(*words, "-t", "1", "-q", meanwhile=rest(seconds)), "")
 
 
-del Voxels  # whose own tests are of another script
 if __name__ == "__main__":
     harness.main()

@@ -5,17 +5,14 @@ import itertools
 import json
 import os
 import resource
-import shutil
 import struct
-import subprocess
 import zipfile
 
 import harness
 import numpy as np
 import readers
 import triangles as meshes
-from harness import SEED, read
-from test_cells import Voxels, grid_of
+from harness import SEED, Voxels, grid_of, read
 from triangles import INF, NAN
 
 SIZE = (390, 270, 140)  # 4 x 3 x 2 tiles, the last of each axis cut
@@ -210,7 +207,7 @@ class Parts(Voxels):
 
     def test_wholes(self):
         """A file of the whole becomes each other that holds as much, byte by byte as if that had been written at first."""
-        holds = {each["word"]: each["holds"] for each in json.loads(self.succeed("info", "--json"))["formats"]}
+        holds = {each["word"]: each["holds"] for each in self.ask("info")["formats"]}
         grid = ("--cell", "0.05")
         for what, mesh, options in (("", self.mesh, ()), ("ids", self.mesh, ("--ids", "--deflate")),
                                     ("colours", self.coloured(), ("--colours",)),
@@ -258,31 +255,11 @@ class Parts(Voxels):
         self.refuse_parts("has more than one of ids, inside and colours", self.rewritten(whole, inside=bits))
         self.refuse_parts("whole.npz: is no part of a whole; .* or one that is whole alone", whole, whole)
 
-    def test_more_shards_than_tiles(self):
-        self.assertEqual(self.merged(*(self.part("%d/3" % n, grid=("-r", "9")) for n in (1, 2, 3))),
-                         self.out("voxelize", self.mesh, "-r", "9"))
-
     def test_summary(self):
         parts = [self.part("%d/2" % n) for n in (1, 2)]
         self.assertRegex(self.succeed("merge", *parts, "-o", self.path("m.npy")),
                          r"(?m)^parts        2\ngrid         390 x 270 x 140 cells of .*\n"
                          r"occupied     \d+ cells\nbricks       \d+\nwritten  ")
-
-    def test_launchers(self):
-        """GNU parallel, and mpirun as documented: a shell per process, which counts from 0."""
-        whole = self.out("voxelize", self.mesh, *GRID)
-        root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
-        script = ('i=$((OMPI_COMM_WORLD_RANK + 1)); '
-                  'exec "$0" voxelize "$@" --shard "$i/$OMPI_COMM_WORLD_SIZE" -o "%s.$i.npz"' % self.path("mpirun"))
-        words = (self.mesh, *GRID, "-q")
-        for count, *command in ((7, "parallel", "--will-cite", "-j", "2", harness.program(), "voxelize", *words, "--shard", "{}/7",
-                                 "-o",
-                                 self.path("parallel.{}.npz"), ":::", *map(str, range(1, 8))),
-                                (3, "mpirun", *root, "--oversubscribe", "-n", "3", "sh", "-c", script, harness.program(), *words,
-                                 "-t", "1")):
-            if shutil.which(command[0]):
-                subprocess.run(command, check=True, timeout=100, stdin=subprocess.DEVNULL, capture_output=True)
-                self.assertEqual(self.merged(*(self.path("%s.%d.npz" % (command[0], n)) for n in range(1, count + 1))), whole)
 
 
 class Partitions(Voxels):
@@ -363,17 +340,6 @@ class Partitions(Voxels):
                     self.assertEqual(told["triangles"], len(t))
                 if ("f64" in endings) == (found["positions"] == "float64") or "auto" in options:
                     self.assertEqual(files, whole, endings)
-
-    def test_joined(self):
-        """Partitions of pieces become that of the whole, numbers included."""
-        for ids in ((), ("--ids",)):
-            names = ("index", "triangles", "numbers")[:2 + len(ids)]
-            pieces = [self.mesh_of(some, "piece%d" % n) for n, some in enumerate(np.array_split(self.triangles, 3))]
-            apart = [self.partition(piece, *GRID, *ids, names=names)[2] for piece in pieces]
-            whole, _, folder = self.partition(self.mesh, *GRID, *ids, names=names)
-            for memory in ("1000", "1G"):
-                self.assertEqual(self.partition(*apart, "-m", memory, names=names)[0], whole)
-            self.assertEqual(self.out("voxelize", *apart, *ids), self.out("voxelize", folder, *ids))
 
     def sorted_first(self, where, *words, ending=".npz", **how):
         """What voxelize writes with little memory, which it says, after it did so with enough; the same."""
@@ -567,6 +533,5 @@ class Partitions(Voxels):
             self.write(path, whole)
 
 
-del Voxels  # whose own tests are of another script
 if __name__ == "__main__":
     harness.main()

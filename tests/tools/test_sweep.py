@@ -1,7 +1,6 @@
 """tribox sweep: its counts against the axes in rational numbers, its forms, and its errors. Times are only there, not judged."""
 
 import itertools
-import json
 import math
 import os
 import random
@@ -47,10 +46,10 @@ class Sweep(harness.TestCase):
         super().setUp()
         self.triangles = random_triangles(704, seed=1)
         self.mesh = self.write("mesh.ply", meshes.ply_of(self.triangles))
-        self.kernels = json.loads(self.succeed("info", "--json"))["kernels"]
+        self.kernels = harness.kernels()
 
     def sweep(self, *options):
-        found = json.loads(self.succeed("sweep", self.mesh, "--json", "--quick", *options))
+        found = self.ask("sweep", self.mesh, "--quick", *options)
         self.assertEqual(found["rounds"], 5)
         return found
 
@@ -116,7 +115,7 @@ class Sweep(harness.TestCase):
 
     @harness.unless_sanitized
     def test_default_is_an_octree(self):
-        found = json.loads(self.succeed("sweep", self.mesh, "--json"))
+        found = self.ask("sweep", self.mesh)
         self.assertTrue(self.sweep()["rounds"] <= found["rounds"] <= 32)
         self.check(found)
         self.assertRegex(found["tested"], r"^\d+ leaves of an octree of depth 3,")
@@ -146,7 +145,7 @@ class Sweep(harness.TestCase):
 
     def test_chart(self):
         path = os.path.join(self.folder, "chart.svg")
-        found = json.loads(self.succeed("sweep", self.mesh, "--quick", "--chart", path, "--json"))
+        found = self.ask("sweep", self.mesh, "--quick", "--chart", path)
         with open("/proc/cpuinfo") as file:
             model = re.search(r"model name\s*: (.*)", file.read())
         of_model = r" \(family \d+, model \d+\)(, virtual)?$"
@@ -171,9 +170,9 @@ class Sweep(harness.TestCase):
     def test_shift(self):
         """Which rounds to float: next to nothing of a mesh that is near the origin by then."""
         far = self.write("far.ply", meshes.ply_of(meshes.far_triangles(9, seed=17), kind="double"))
-        text = self.succeed("sweep", far, "--grid", "1", "--json", "--quick", "--shift", "auto",
-                            note=r"rounding to float moved coordinates of [0-9]+ vertices by up to [1-9](\.\d)?e-0[678]$")
-        self.assertEqual(json.loads(text)["shift"], [557810, 5108000, 810])
+        found = self.ask("sweep", far, "--grid", "1", "--quick", "--shift", "auto",
+                         note=r"rounding to float moved coordinates of [0-9]+ vertices by up to [1-9](\.\d)?e-0[678]$")
+        self.assertEqual(found["shift"], [557810, 5108000, 810])
 
     def test_flat_and_tiny(self):
         flat, point = ((0, 0, 0), (1, 0, 0), (0, 1, 0)), ((3, 3, 3), (3, 3, 3), (3, 3, 3))
