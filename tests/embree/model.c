@@ -81,24 +81,12 @@ float *model_soup(const model *m, tribox_soup *soup)
     return rows;
 }
 
-bool planes_make(planes *p, const tribox_grid *grid)
+void planes_make(planes *p, const tribox_grid *grid)
 {
     p->grid = *grid;
-    for (int a = 0; a < 3; a++) {
-        if (grid->size[a] > CELLS_MAX)
-            return false;
-        for (uint32_t c = 0; c <= grid->size[a]; c++) {
-            p->at[a][c] = fma(c, grid->cell[a], grid->origin[a]);
-            if (p->at[a][c] != (double)(float)p->at[a][c] || (c && !(p->at[a][c] > p->at[a][c - 1])))
-                return false;
-        }
-        for (uint32_t c = 0; c < grid->size[a]; c++) {
-            const tribox_box cell = tribox_grid_cell(grid, a == 0 ? c : 0, a == 1 ? c : 0, a == 2 ? c : 0);
-            if (cell.lo[a] != p->at[a][c] || cell.hi[a] != p->at[a][c + 1])
-                return false;
-        }
-    }
-    return true;
+    for (int a = 0; a < 3; a++)
+        for (uint32_t c = 0; c <= grid->size[a]; c++)
+            p->at[a][c] = c * grid->cell[a] + grid->origin[a];
 }
 
 tribox_box planes_cell(const planes *p, const int cell[3])

@@ -44,8 +44,7 @@ typedef struct planes {
     double at[3][CELLS_MAX + 1];
 } planes;
 
-/* False if the library places a cell elsewhere, or planes do not rise. */
-bool planes_make(planes *p, const tribox_grid *grid);
+void planes_make(planes *p, const tribox_grid *grid);
 
 tribox_box planes_cell(const planes *p, const int cell[3]);
 

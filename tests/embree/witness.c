@@ -162,51 +162,30 @@ typedef struct plane_scene {
     int first[3]; /* the triangle that is plane 0 of an axis */
 } plane_scene;
 
-/* lo .. lo + extent holds mesh and grid. */
-typedef struct bounds {
-    float lo[3], extent[3];
-} bounds;
-
-static bounds bounds_of(const planes *p, const model *s)
-{
-    bounds b;
-    for (int a = 0; a < 3; a++) {
-        float lo = (float)p->at[a][0], hi = (float)p->at[a][(int)p->grid.size[a]];
-        for (size_t t = 0; t < s->count; t++)
-            for (int j = 0; j < 3; j++) {
-                lo = fminf(lo, s->triangles[t].u[j][a]);
-                hi = fmaxf(hi, s->triangles[t].u[j][a]);
-            }
-        b.lo[a] = lo;
-        b.extent[a] = hi - lo;
-    }
-    return b;
-}
-
-/* Corners (A, A), (B, A), (A, B) in the plane, A = lo - extent and B = lo + 4 extent. */
-static triangle plane_triangle(const bounds *b, int axis, float plane)
+/* Corners (A, A), (B, A), (A, B) in the plane, A = lo - extent and B = lo + 4 extent of the grid, in which the mesh lies. */
+static triangle plane_triangle(const planes *p, int axis, float plane)
 {
     triangle t;
     for (int j = 0; j < 3; j++) {
         t.u[j][axis] = plane;
         for (int k = 1; k < 3; k++) {
             const int a = (axis + k) % 3;
-            t.u[j][a] = b->lo[a] + (j == k ? 4 : -1) * b->extent[a];
+            const float lo = (float)p->at[a][0], extent = (float)p->at[a][p->grid.size[a]] - lo;
+            t.u[j][a] = lo + (j == k ? 4 : -1) * extent;
         }
     }
     return t;
 }
 
-static plane_scene plane_scene_make(const planes *p, const model *s)
+static plane_scene plane_scene_make(const planes *p)
 {
-    const bounds b = bounds_of(p, s);
     plane_scene d = {0};
     triangle *const triangles = memory_of(3 * (CELLS_MAX + 1), sizeof *triangles);
     int count = 0;
     for (int a = 0; a < 3; a++) {
         d.first[a] = count;
         for (int i = 0; i <= (int)p->grid.size[a]; i++)
-            triangles[count++] = plane_triangle(&b, a, (float)p->at[a][i]);
+            triangles[count++] = plane_triangle(p, a, (float)p->at[a][i]);
     }
     d.scene = embree_scene_make(triangles, (size_t)count);
     free(triangles);
@@ -282,7 +261,7 @@ static void cast_edge(witness *w, plane_scene *d, size_t t, int j)
 
 static void cast_edges(witness *w)
 {
-    plane_scene d = plane_scene_make(w->planes, w->model);
+    plane_scene d = plane_scene_make(w->planes);
     for (size_t t = 0; t < w->model->count; t++)
         for (int j = 0; j < 3; j++)
             cast_edge(w, &d, t, j);
