@@ -92,19 +92,14 @@ test('is built with further functions and sources', () => inFolder(async (made) 
     assert.ok(!existsSync(path.join(made, 'none')));
 }));
 
-test('states the version once', () => {
+test('is described for npm, and states the version once', () => {
+    assert.deepEqual([manifest.name, manifest.type, manifest.license], ['tribox', 'module', 'MIT']);
+    for (const kind of ['dependencies', 'devDependencies', 'peerDependencies', 'scripts'])
+        assert.equal(manifest[kind], undefined);
     const version = execFileSync('sh', [path.join(root, 'packaging/version.sh')], { encoding: 'utf8' }).trim();
     assert.equal(manifest.version, version);
     for (const name of readdirSync(source, { recursive: true }).filter((name) => /\.(mjs|ts|in|sh)$/.test(name)))
         assert.ok(!textOf(source, name).includes(`"${version}"`), name);
-});
-
-test('is described for npm', () => {
-    assert.equal(manifest.name, 'tribox');
-    assert.equal(manifest.type, 'module');
-    assert.equal(manifest.license, 'MIT');
-    for (const kind of ['dependencies', 'devDependencies', 'peerDependencies', 'scripts'])
-        assert.equal(manifest[kind], undefined);
 });
 
 test('packs these files', () => {
