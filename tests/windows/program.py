@@ -159,19 +159,9 @@ class Refused(Windows):
         self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".tribox")], [])
 
     def test_bad_meshes(self):
-        for name, content in (("empty.ply", ""), ("notes.obj", "hello\n"), ("short.stl", b"\0" * 83), ("cut.f32", b"\0" * 37),
-                              ("half.off", "OFF\n3 1 0\n0 0 0\n"), ("scene.dae", "{}")):
-            self.assert_same_lines("overlap", self.write(name, content), "--box", UNIT_BOX)
-        self.assert_same_lines("overlap", self.path("nowhere.ply"), "--box", UNIT_BOX)
-        self.assert_same_lines("overlap", self.folder, "--box", UNIT_BOX)
-
-    def assert_same_lines(self, *arguments):
-        """One line from each, the same but for the advice about libassimp, which this machine may have."""
-        done = self.run_both(*arguments)
-        self.assertEqual([one.returncode for one in done], [1, 1], arguments)
-        self.assert_one_line(done[1].stderr.decode(), "^tribox overlap: ")
-        if not arguments[1].endswith(".dae"):
-            self.assertEqual(done[0].stderr, done[1].stderr)
+        """What the system says of a file, and what a reader does."""
+        for mesh in (self.path("nowhere.ply"), self.folder, self.write("cut.f32", b"\0" * 37)):
+            self.assert_same("overlap", mesh, "--box", UNIT_BOX)
 
     def test_outputs(self):
         for out, why in ((self.folder, "is a directory; give the name of a file"),
@@ -186,13 +176,6 @@ class Refused(Windows):
         self.fail_with(1, "--preview: this program was built without libpng", "voxelize", self.mesh, "--resolution", "9", "-o",
                        self.path("x.npy"), "--preview", self.path("x.png"))
         self.assertEqual(os.listdir(self.folder), ["mesh.f32"])
-
-    def test_damaged_part(self):
-        self.succeed("voxelize", self.mesh, *GRID, "--quiet", "--shard", "1/1", "-o", self.path("1.part.npz"))
-        with open(self.path("1.part.npz"), "r+b") as part:
-            part.seek(200)
-            part.write(b"damage")
-        self.fail_with(1, "1.part.npz: damaged", "merge", self.path("1.part.npz"), "-o", self.path("x.npz"))
 
 
 class Interrupted(Windows):
