@@ -290,18 +290,6 @@ class Truth(Asking):
         for listed in (numbers, numbers.astype(np.uint32), numbers.tolist(), np.uint16(numbers)[::-1], []):
             self.assert_same(tribox.split(triangles, cases.LO, cases.HI, numbers=listed), whole[np.array(listed, int)])
 
-    def test_blocks(self):
-        """What decides is the first of very many, or the last."""
-        count = 2 * 65536 + 77
-        for place in (0, 65535, 65536, count - 1):
-            triangles = np.full((count, 3, 3), 9, np.float32)
-            triangles[place] = 0
-            for form in (triangles, tribox.Soup.of(triangles)):
-                self.assertEqual((tribox.find(form, *(((-0.1,) * 3, (0.1,) * 3))), tribox.find(form, (8,) * 3, (9,) * 3, "miss")),
-                                 (place,) * 2)
-                self.assert_same(np.flatnonzero(tribox.classify(form, (-1,) * 3, (1,) * 3)[1]), np.array([place]))
-                self.assertEqual(tribox.voxelize(form, ((-1, -1, -1), 2, (2, 2, 2))).sum(), 1)
-
     def test_other_numbers(self):
         """Numbers of other types are the same numbers."""
         lattice = cases.lattice(50) * 8

@@ -72,12 +72,6 @@ class Threads(cases.TestCase):
 
         at_once(work)
 
-    def test_layers(self):
-        grid = (-2, -2, -2), 0.03125, (128, 128, 128)
-        whole, each = tribox.voxelize(self.triangles[:500], grid), 128 // THREADS
-        parts = at_once(lambda number: tribox.voxelize(self.triangles[:500], grid, layers=(number * each, each)))
-        self.assert_same(np.concatenate(parts), np.array(whole))
-
 
 class Sharing(cases.TestCase):
     """How the calls share their work: the answers are those of one thread."""

@@ -32,19 +32,17 @@ class Types(cases.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = folder.name
 
     def test_module(self):
         config = os.path.join(ROOT, "pyproject.toml")
-        self.assertEqual(mypy("--config-file", config, "-p", "tribox", folder=self.folder.name), "")
+        self.assertEqual(mypy("--config-file", config, "-p", "tribox", folder=self.folder), "")
 
     def test_user(self):
         path = os.path.join(HERE, "typed.py")
-        said = mypy("--strict", "--config-file=", path, folder=self.folder.name)
+        said = mypy("--strict", "--config-file=", path, folder=self.folder)
         found = {int(line) for line in re.findall(r"typed\.py:(\d+): error", said)}
         with open(path, encoding="utf-8") as file:
             wrong = {number for number, line in enumerate(file, 1) if line.endswith("# wrong\n")}

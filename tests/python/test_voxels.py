@@ -267,16 +267,6 @@ class Grids(cases.TestCase):
 class Sparse(cases.TestCase):
     """Windows, bricks and lists of grids of any size."""
 
-    def test_windows(self):
-        pick, triangles = np.random.default_rng(cases.seed()), cases.some()
-        for grid in GRIDS.values():
-            whole = np.array(tribox.voxelize(triangles, grid))
-            for _ in range(40):
-                first, end = np.sort(pick.integers(0, np.add(grid[2], 1), (2, 3)), 0)
-                answer = tribox.voxelize(triangles, grid, window=(first, end - first), threads=2)
-                self.assert_same(answer, whole[first[2]:end[2], first[1]:end[1], first[0]:end[0]], f"{first} {end}")
-                self.assertEqual(answer.window, (tuple(first), tuple(end - first)))
-
     def test_beyond_memory(self):
         """Bricks and lists of grids of which no memory holds the cells; of the second, not even the tiles."""
         near = (cases.some()[:20] / 512).astype(np.float32)
@@ -299,13 +289,6 @@ class Sparse(cases.TestCase):
                 self.assertEqual(found.get(tuple(cell.tolist()), []), numbers)
         large = (-2, -2, -2), 1, (1 << 12, 1 << 10, 1 << 15)
         self.assertEqual(tribox.voxelize(near, large, layers=(3, 1)).window, ((0, 0, 3), (1 << 12, 1 << 10, 1)))
-
-    def test_order(self):
-        """Of bricks: by tile, z, y and x."""
-        for side in (8, 24, 64):
-            at = tribox.bricks(cases.some(), GRIDS["doubles"], side=side).at.astype(int)
-            tile = (at // (side // 8)).T
-            self.assert_same(np.lexsort([*at.T, *tile]), np.arange(len(at)))
 
     def test_options(self):
         triangles, grid = cases.some(), GRIDS["doubles"]
@@ -384,13 +367,6 @@ class Insides(cases.TestCase):
                 self.assert_same(voxels.labels(), np.asarray(plain).astype(np.uint8) * 2 - full)
                 self.assert_same(np.asarray(voxels.inside), voxels.labels() == 2)
                 self.assertEqual((voxels.inside.grid, voxels.inside.window), (grid, voxels.window))
-
-    def test_plane(self):
-        """A square in the plane between cells is one cell thick, as one within them."""
-        for x in (2, 2.3):
-            square = np.array([[[x, 0, 0], [x, 4, 0], [x, 4, 4]], [[x, 0, 0], [x, 4, 4], [x, 0, 4]]], np.float32)
-            grid = tribox.Grid((0, 0, 0), 1, (4, 4, 4))
-            self.assertEqual([tribox.voxelize(square, grid, thin=thin).sum() for thin in (True, False)], [16, 32 if x == 2 else 16])
 
     def test_into(self):
         """Cells that were set before are no part of the surface."""
