@@ -14,7 +14,7 @@ NAN = math.nan
 class Scene:
     """Positions, some of them twice or in no face, and faces of any number of corners; polygons are flat and convex."""
 
-    def __init__(self, seed, triangles=60, polygons=12, least=0, has_nan=True):
+    def __init__(self, seed, triangles=60, polygons=12, least=0):
         self.pick = pick = random.Random(seed)
         self.known = {}
         self.positions = [tuple(pick.randint(-16, 16) / 8 for _ in range(3)) for _ in range(triangles)]
@@ -23,9 +23,8 @@ class Scene:
         self.faces += [[k, k, (k + 1) % triangles] for k in range(3)] + self.faces[:3]
         for _ in range(polygons):
             self.faces.append(self.polygon())
-        if has_nan:
-            self.positions.append((NAN, 0.0, 0.25))
-            self.faces += [[len(self.positions) - 1, 0, 1], [len(self.positions) - 1, 0, 1, 2]]
+        self.positions.append((NAN, 0.0, 0.25))
+        self.faces += [[len(self.positions) - 1, 0, 1], [len(self.positions) - 1, 0, 1, 2]]
         self.faces += [[pick.randrange(triangles) for _ in range(n)] for n in range(least, 3)] if least is not None else []
         pick.shuffle(self.faces)
 
@@ -168,10 +167,7 @@ def read_ply(data):
 
 # OBJ: a vertex is its line and, for each use, a texture coordinate and a normal; state is what stands before a face.
 
-OBJ_FORMS = "%d", "%d/%d", "%d//%d", "%d/%d/%d"
-
-
-def obj(scene, line_end="\n", is_negative=False, is_mixed=False, forms=OBJ_FORMS):
+def obj(scene, line_end="\n", is_negative=False, is_mixed=False):
     """Faces refer to texture coordinates and normals, or not, and stand among vertices where is_mixed."""
     pick, lines = random.Random(9), ["# made by a test", "mtllib some file.mtl", ""]
     counts = [len(scene.positions), 40, 30]
@@ -186,7 +182,7 @@ def obj(scene, line_end="\n", is_negative=False, is_mixed=False, forms=OBJ_FORMS
             faces.append(("state", "usemtl never" if n % 2 else "o empty"))
             faces.append(("state", "o thing of %d" % n))
             faces.append(("note", "# between"))
-        form = pick.choice(forms)
+        form = pick.choice(("%d", "%d/%d", "%d//%d", "%d/%d/%d"))
         faces.append(("face", (corners, form, [(pick.randrange(counts[1]), pick.randrange(counts[2])) for _ in corners])))
     faces.append(("note", "l 1 2/3 4"))
     faces.append(("note", "p 5"))

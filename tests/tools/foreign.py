@@ -32,20 +32,13 @@ def with_openvdb_colours(path):
 
 
 def with_vtk_faces(path):
-    """Where the corners of each face are, their colours where there are some, and those of faces."""
-    from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+    """Where the corners of each face are, and its colour."""
     from vtkmodules.vtkIOPLY import vtkPLYReader
-    reader = {"ply": vtkPLYReader, "obj": vtkOBJReader, "stl": vtkSTLReader}[path[-3:]]()
-    if path.endswith("stl"):
-        reader.MergingOff()
+    reader = vtkPLYReader()
     reader.SetFileName(path)
     reader.Update()
     assert not reader.GetErrorCode()
-    found, faces, colors = reader.GetOutput(), [], []
-    rgb = found.GetPointData().GetArray("RGB")
-    for n in range(found.GetNumberOfCells()):
-        points = [found.GetCell(n).GetPointId(k) for k in range(found.GetCell(n).GetNumberOfPoints())]
-        faces.append([found.GetPoint(p) for p in points])
-        colors.append([rgb.GetTuple(p) for p in points] if rgb else None)
-    own = found.GetCellData().GetArray("RGB")
-    return {"faces": faces, "colors": colors, "of_faces": [own.GetTuple(n) for n in range(len(faces))] if own else None}
+    found = reader.GetOutput()
+    own, numbers = found.GetCellData().GetArray("RGB"), range(found.GetNumberOfCells())
+    return {"faces": [[found.GetPoint(found.GetCell(n).GetPointId(k)) for k in range(3)] for n in numbers],
+            "colors": [own.GetTuple(n) for n in numbers]}

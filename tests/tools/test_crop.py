@@ -2,12 +2,12 @@
 
 import json
 import os
-import re
 import resource
 
 import faces
 import triangles as meshes
 import harness
+from test_meshes import STRIPS
 
 SEED = harness.SEED
 BOX = (-0.5, 0.125, -0.75, 0.25, 0.75, 0.5)
@@ -142,24 +142,16 @@ class Formats(Crop):
                 scene = faces.Scene(SEED + n)
                 self.check(scene, "mesh.off", faces.off(scene, **options), faces.read_off)
 
-    def test_stl(self):
-        scene = faces.Scene(SEED, polygons=0, least=None)
-        scene.faces = [face for face in scene.faces if len(face) == 3]
-        for line_end in ("\n", "\r\n"):
-            self.check(scene, "mesh.stl", faces.stl_text(scene, line_end), faces.read_stl_text)
-        self.check(scene, "mesh.stl", faces.stl_binary(scene), faces.read_stl_binary)
-
-    def test_raw(self):
-        scene = faces.Scene(SEED, polygons=0, least=None)
-        scene.faces = [face for face in scene.faces if len(face) == 3]
-        for form, size in (("f", 4), ("d", 8)):
-            self.check(scene, "mesh.f%d" % (8 * size), faces.raw(scene, form), faces.read_raw(size))
-
-    def test_many_blocks(self):
-        """Records are read in blocks of 4096, and masks have words of 64."""
-        scene = faces.Scene(SEED, triangles=9001, polygons=0, least=None)
-        scene.faces = [face for face in scene.faces if len(face) == 3]
-        self.check(scene, "mesh.stl", faces.stl_binary(scene), faces.read_stl_binary, is_partial=False)
+    def test_triangles(self):
+        """Without vertices of their own; also more than the 4096 of a block, in masks of words of 64."""
+        for count in (60, 9001):
+            scene = faces.Scene(SEED, triangles=count, polygons=0, least=None)
+            scene.faces = [face for face in scene.faces if len(face) == 3]
+            self.check(scene, "mesh.stl", faces.stl_binary(scene), faces.read_stl_binary, is_partial=count == 60)
+            for line_end in ("\n", "\r\n") if count == 60 else ():
+                self.check(scene, "mesh.stl", faces.stl_text(scene, line_end), faces.read_stl_text)
+            for form, size in (("f", 4), ("d", 8)) if count == 60 else ():
+                self.check(scene, "mesh.f%d" % (8 * size), faces.raw(scene, form), faces.read_raw(size))
 
     def test_names_say_less_than_the_file(self):
         scene = faces.Scene(SEED)
@@ -168,29 +160,6 @@ class Formats(Crop):
         self.assertTrue(written["-o"].startswith(b"OFF\n# made by a test\n"))
         triangles = self.write("mesh.bin", meshes.stl_binary(meshes.lattice_triangles(50, SEED)))
         self.run_crop(triangles, "--format", "stl", ending=".STL", box=(-1, -1, -1, 0, 0, 0))
-
-    def test_foreign_readers(self):
-        """VTK reads both files as the faces that they should have, with the colours of their corners."""
-        colored = [("vertex", None, [*XYZ, ("red", "uchar"), ("green", "uchar"), ("blue", "uchar")]), ("face", None, CORNERS)]
-        scene = faces.Scene(SEED, least=None, has_nan=False)
-        flat = faces.Scene(SEED, polygons=0, least=None, has_nan=False)
-        cases = [("a.ply", scene, faces.ply(scene, colored, "binary_little_endian")),
-                 ("t.ply", scene, faces.ply(scene, colored, "ascii")),
-                 ("a.obj", scene, re.sub(rb"(?m)^(curv|l|p) .*|\\\n|  # a face", b"", faces.obj(scene, forms=["%d/%d/%d"]))),
-                 ("a.stl", flat, faces.stl_binary(flat)), ("t.stl", flat, faces.stl_text(flat))]
-        paths, due = [], []
-        for name, one, data in cases:
-            written, _ = self.run_crop(self.write(name, data))
-            for side, chosen in zip(("-o", "--rest"), part_and_rest(one)):
-                paths.append(self.write(side + name, written[side]))
-                due.append([[list(one.positions[c]) for c in one.faces[n]] for n in chosen])
-        paths.append(self.path("a.ply"))
-        found = self.foreign("vtk_faces", *paths)
-        for path, own, expected in zip(paths, found, due):
-            self.assertEqual(own["faces"], expected, path)
-        whole = found.pop()
-        for own, chosen in zip(found[:4], 2 * part_and_rest(scene)):
-            self.assertEqual(own["colors"], [whole["colors"][n] for n in chosen])
 
     def test_texts(self):
         """What becomes of comments, of counts, of lines that end early, and of groups without faces."""
@@ -207,11 +176,6 @@ class Formats(Crop):
             written, _ = self.run_crop(self.write(name, text), box=box)
             self.assertEqual(written["-o"].decode(), part)
             self.assertEqual(written["--rest"].decode(), rest)
-
-
-def part_and_rest(scene):
-    part = scene.in_part(BOX)
-    return part, [n for n in range(len(scene.faces)) if n not in part]
 
 
 def is_of_pairs(data):
@@ -276,15 +240,6 @@ class Ways(Crop):
             self.assertEqual(nothing["--rest"], written["-o"])
             self.assertEqual(nothing["-o"], written["--rest"])
 
-    def test_part_of_a_part(self):
-        """What is written can be read, and all of its faces are where they were."""
-        for name, data in (("mesh.ply", meshes.ply_of(self.triangles)), ("mesh.obj", meshes.obj(self.triangles)),
-                           ("mesh.off", meshes.off(self.triangles)), ("mesh.stl", meshes.stl_ascii(self.triangles))):
-            written, told = self.run_crop(self.write(name, data))
-            again, counts = self.run_crop(self.write("2" + name, written["-o"]), pattern=".*has no face.*\n")
-            self.assertEqual(again["-o"], written["-o"])
-            self.assertEqual(counts["overlapping"], told["overlapping"])
-
     def test_standard_output(self):
         written, _ = self.run_crop(self.mesh)
         box = ",".join(map(repr, BOX))
@@ -317,7 +272,7 @@ class Refusals(Crop):
         self.refuse(1, "is not a regular file, and -o and --rest read the mesh twice", *box, mesh="/dev/null")
         for name, data, pattern in (("empty.ply", b"", "the file is empty"), ("scene.3ds", b"MM\0\0", "convert it to one of these"),
                                     ("cut.ply", meshes.ply_of(meshes.lattice_triangles(9, 1))[:-1], "truncated"),
-                                    ("strips.ply", strips(), "has strips of triangles, which -o and --rest do not cut")):
+                                    ("strips.ply", STRIPS, "has strips of triangles, which -o and --rest do not cut")):
             mesh = self.write(name, data)
             self.refuse(1, pattern, *box, mesh=mesh)
 
@@ -335,10 +290,6 @@ class Refusals(Crop):
         mesh = self.write("a.ply", meshes.ply_of(meshes.lattice_triangles(300, SEED)))
         self.refuse(1, "y.ply: cannot write all of it: File too large; nothing of it was kept", "--box", "8,8,8,9,9,9", "-o",
                     self.path("x.ply"), "--rest", self.path("y.ply"), limit=(resource.RLIMIT_FSIZE, 2000), mesh=mesh)
-
-
-def strips():
-    return meshes.ply_text("0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "4 0 1 2 3\n", **{"element face": "element tristrips"})
 
 
 if __name__ == "__main__":

@@ -179,9 +179,9 @@ class Formats(harness.TestCase):
 
     def test_notes(self):
         crossed = "v 0 3 0\nv 1 3 0\nv 1 0 0\nv 2 2 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4 5 6\nf 1 2 3\n"
-        text = self.succeed("overlap", self.write("crossed.obj", crossed), "--box", ALL, "--json",
-                            note="warning: .*crossed.obj: 1 polygon cannot be cut well, so the triangles cover too much")
-        self.assertEqual(json.loads(text)["triangles"], 5)
+        found = self.overlap(self.write("crossed.obj", crossed), ALL,
+                             note="warning: .*crossed.obj: 1 polygon cannot be cut well, so the triangles cover too much")
+        self.assertEqual(found["triangles"], 5)
         mixed = "OFF 4 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0\n2 0 1\n0\n3 0 0 1\n4 0 1 2 3\n"
         for name, content, left_out in (("mixed.off", mixed, (3, 2)), ("mixed.obj", OBJ + "l 1 2\np 3\nf 1 2 3\nl 2 3\n", (1, 3))):
             self.assertRegex(self.succeed("overlap", self.write(name, content), "--box", UNIT_BOX),
@@ -200,10 +200,8 @@ class Formats(harness.TestCase):
             for triangles, expected in (([good, bad[0], good, bad[1]], [0, 2]), (bad, [])):
                 count, first = len(triangles) - len(expected), int(bool(expected))
                 mesh = self.write(name, meshes.FORMATS[name](triangles))
-                text = self.succeed("overlap", mesh, "--box", UNIT_BOX, "--json", "--list",
-                                    note="warning: .*%s: %d of %d triangles have NaN or infinite coordinates and overlap nothing; "
-                                         "the first is number %d$" % (name, count, len(triangles), first))
-                answer = json.loads(text)
+                answer = self.overlap(mesh, UNIT_BOX, note="warning: .*%s: %d of %d triangles have NaN or infinite coordinates and "
+                                      "overlap nothing; the first is number %d$" % (name, count, len(triangles), first))
                 self.assertEqual((answer["triangles"], answer["not_finite"], answer["indices"]), (len(triangles), count, expected))
         large = VERTICES.replace("0 0 0", "0 1e999 0")
         for name, content in (("large.obj", "v " + large.strip().replace("\n", "\nv ") + "\nf 1 2 3\n"),

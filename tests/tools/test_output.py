@@ -1,6 +1,7 @@
 """Where the answer goes: full and closed outputs, files that get in each other's way, and locales with a decimal comma."""
 
 import fcntl
+import itertools
 import json
 import os
 import random
@@ -23,16 +24,13 @@ class Output(harness.TestCase):
         self.commands += [("overlap", self.mesh, "--box", harness.UNIT_BOX, *more)
                           for more in ((), ("--list",), ("--json",), ("-o", "-"))]
 
-    def lose_output(self, redirection):
-        for command in self.commands:
+    def test_full_and_closed(self):
+        places = (">/dev/full", ">&-")[not os.path.exists("/dev/full"):]
+        for command, redirection in itertools.product(self.commands, places):
             done = subprocess.run(["sh", "-c", 'exec "$0" "$@" ' + redirection, harness.program(), *command], capture_output=True,
                                   timeout=120)
             self.assertEqual(done.returncode, 1, command)
             self.assert_one_line(done.stderr.decode(), "cannot write the output: ")
-
-    def test_full_and_closed(self):
-        for redirection in (">/dev/full", ">&-")[not os.path.exists("/dev/full"):]:
-            self.lose_output(redirection)
 
     def test_lost_on_the_way(self):
         """A pipe has no room for the blocks, and some for what is left of the list after them."""
@@ -176,7 +174,7 @@ class Json(harness.TestCase):
                  bytes(range(1, 47)) + bytes(range(48, 128)), bytes(range(128, 256))]
         for name in names:
             path = self.write(os.fsdecode(name), bytes(36))
-            found = json.loads(self.succeed("overlap", path, "--format", "f32", "--box", harness.UNIT_BOX, "--json"))
+            found = self.ask("overlap", path, "--format", "f32", "--box", harness.UNIT_BOX)
             self.assertEqual(found["mesh"].encode("utf-8", "surrogateescape"), os.fsencode(path))
 
 
@@ -233,8 +231,7 @@ class Locale(harness.TestCase):
         for name in ("text.obj", "ascii.ply", "ascii.stl", "text.off", "text.gltf"):
             mesh = self.write(name, meshes.FORMATS[name](triangles))
             for how in ({}, {"env": env}):
-                text = self.succeed("overlap", mesh, "--box", "0.125,0.5,0,0.125,0.5,0.25", "--json", **how)
-                answer = json.loads(text)
+                answer = self.ask("overlap", mesh, "--box", "0.125,0.5,0,0.125,0.5,0.25", **how)
                 self.assertEqual((answer["overlapping"], answer["box"]["hi"]), (1, [0.125, 0.5, 0.25]))
             self.assertIn("0.125,0.5,0,", self.succeed("overlap", mesh, "--box", "0.125,0.5,0,1,1,1", env=env))
 

@@ -3,7 +3,6 @@
 import collections
 import functools
 import itertools
-import json
 import os
 import random
 
@@ -187,7 +186,7 @@ class Places(Shells):
         for name, options in self.GRIDS.items():
             found = {}
             for ending in readers.MESHES:
-                about = json.loads(self.succeed("voxelize", mesh, *options, "--json", "-o", self.path("x" + ending)))
+                about = self.ask("voxelize", mesh, *options, "-o", self.path("x" + ending))
                 found[ending] = surface_in(self.path("x" + ending))
             grid, shift = about["grid"], about.get("shift", [0, 0, 0])
             self.assertEqual(found[".ply"], found[".obj"])

@@ -16,12 +16,6 @@ GROUPS = {1: range(0, 3), 2: range(3, 4), 3: range(4, 13)}
 BOX = (-0.5, -0.25, -0.5, 0.5, 0.5, 0.75)
 
 
-def random_triangles(count, seed):
-    """Steps of 1/4096: products are exact in double, and no edge is parallel to a box axis but by chance."""
-    pick = random.Random(seed)
-    return [tuple(tuple(pick.randint(-8192, 8192) / 4096 for _ in range(3)) for _ in range(3)) for _ in range(count)]
-
-
 def separations(triangle, box):
     """For each of the thirteen axes whether it separates, and whether the outer side of its edge does."""
     center = [(lo + hi) / 2 for lo, hi in zip(box[:3], box[3:])]
@@ -44,7 +38,8 @@ def separations(triangle, box):
 class Sweep(harness.TestCase):
     def setUp(self):
         super().setUp()
-        self.triangles = random_triangles(704, seed=1)
+        pick = random.Random(1)  # steps of 1/4096: products are exact in double, and hardly an edge is parallel to a box axis
+        self.triangles = [tuple(tuple(pick.randint(-8192, 8192) / 4096 for _ in range(3)) for _ in range(3)) for _ in range(704)]
         self.mesh = self.write("mesh.ply", meshes.ply_of(self.triangles))
         self.kernels = harness.kernels()
 

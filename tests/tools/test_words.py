@@ -322,9 +322,9 @@ class Right(harness.TestCase):
         self.assertEqual(json.loads(text)["overlapping"], 0)
         for k in range(3):
             half = ["1"] * k + ["-0.5"] + ["1"] * (2 - k)
-            text = self.succeed("overlap", self.mesh, "--oriented", "0,0,0,%s,1,0,0,0,1,0,0,0,1" % ",".join(half), "--json",
-                                note="note: --oriented: half length %d is -0.5: a box of negative size is empty" % (k + 1))
-            self.assertEqual(json.loads(text)["overlapping"], 0)
+            found = self.ask("overlap", self.mesh, "--oriented", "0,0,0,%s,1,0,0,0,1,0,0,0,1" % ",".join(half),
+                             note="note: --oriented: half length %d is -0.5: a box of negative size is empty" % (k + 1))
+            self.assertEqual(found["overlapping"], 0)
 
 
 if __name__ == "__main__":
