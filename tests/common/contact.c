@@ -71,15 +71,8 @@ static double draw_factor(random_source *r, bool is_whole)
     return is_whole ? random_int_between(r, 1, 2) : random_double(r, 0.1, 2);
 }
 
-void draw_contact(random_source *r, const tribox_box *box, contact_style style, contact_part part, float u[3][3])
-{
-    double m[3];
-    draw_outward(r, style, m);
-    draw_contact_along(r, box, style, part, m, u);
-}
-
 void draw_contact_along(random_source *r, const tribox_box *box, contact_style style, contact_part part, const double m[3],
-                        float u[3][3])
+                        double u[3][3])
 {
     const bool is_whole = style.step > 0;
     const double unit = is_whole ? style.step : style.size;
@@ -105,6 +98,21 @@ void draw_contact_along(random_source *r, const tribox_box *box, contact_style s
             v[2] -= k * t[0][a] + l * t[1][a];
         }
         for (int j = 0; j < 3; j++)
-            u[(j + turn) % 3][a] = nearest_float(v[j]);
+            u[(j + turn) % 3][a] = v[j];
     }
+}
+
+void draw_contact_f64(random_source *r, const tribox_box *box, contact_style style, contact_part part, double u[3][3])
+{
+    double m[3];
+    draw_outward(r, style, m);
+    draw_contact_along(r, box, style, part, m, u);
+}
+
+void draw_contact(random_source *r, const tribox_box *box, contact_style style, contact_part part, float u[3][3])
+{
+    double wide[3][3];
+    draw_contact_f64(r, box, style, part, wide);
+    for (int k = 0; k < 9; k++)
+        u[k / 3][k % 3] = nearest_float(wide[k / 3][k % 3]);
 }

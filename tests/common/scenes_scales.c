@@ -91,18 +91,17 @@ void draw_tiny_at_corner(random_source *r, scene_batch *batch)
         batch->box.hi[a] = outward[a] > 0 ? 0 : extent;
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
-        float(*const u)[3] = batch->u[k];
         const contact_style style = {.step = k % 2, .size = 1};
-        double m[3];
+        double m[3], at[3][3];
         draw_outward(r, style, m);
         for (int a = 0; a < 3; a++)
             m[a] = outward[a] * fabs(m[a]);
-        draw_contact_along(r, &origin, style, any_contact_part(r), m, u);
+        draw_contact_along(r, &origin, style, any_contact_part(r), m, at);
         const double away = random_int(r, 3) * random_double(r, 0, 0.5);
         const int exponent = random_int_between(r, -145, -20);
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                u[j][a] = (float)ldexp(u[j][a] + away * m[a], exponent);
+                batch->u[k][j][a] = (float)ldexp(nearest_float(at[j][a]) + away * m[a], exponent);
     }
 }
 

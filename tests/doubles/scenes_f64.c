@@ -4,119 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Triangles of doubles made to touch a box from outside, and small changes to them. */
+#include "common/contact.h"
 
-static double dot(const double p[3], const double q[3]) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-
-static void cross(const double p[3], const double q[3], double to[3])
+/* A triangle about as large as `size` that touches the box from outside, but for rounding. */
+static void draw_contact_of(random_source *r, const tribox_box *box, double size, double u[3][3])
 {
-    for (int i = 0; i < 3; i++) {
-        const int a = (i + 1) % 3, b = (i + 2) % 3;
-        to[i] = p[a] * q[b] - p[b] * q[a];
-    }
-}
-
-static void any_vector(random_source *r, double size, double v[3])
-{
-    for (int a = 0; a < 3; a++)
-        v[a] = random_double(r, -size, size);
-}
-
-/* Not inwards. */
-static void outward_vector(random_source *r, const double m[3], double size, double v[3])
-{
-    any_vector(r, size, v);
-    const double sign = dot(m, v) < 0 ? -1 : 1;
-    for (int a = 0; a < 3; a++)
-        v[a] *= sign;
-}
-
-/* A point of the box that is farthest along m: on a face, an edge, or a corner. */
-static void farthest(random_source *r, const tribox_box *box, const double m[3], double X[3])
-{
-    for (int a = 0; a < 3; a++)
-        X[a] = m[a] > 0 ? box->hi[a] : m[a] < 0 ? box->lo[a] : random_double(r, box->lo[a], box->hi[a]);
-}
-
-/* A direction with that many components other than zero. */
-static void direction(random_source *r, int components, double m[3])
-{
-    const int first = random_int(r, 3);
-    for (int k = 0; k < 3; k++) {
-        const double length = random_double(r, 0.05, 1);
-        m[(first + k) % 3] = k >= components ? 0 : random_int(r, 2) ? length : -length;
-    }
-}
-
-static void vertex_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
-{
-    double m[3], X[3], v[2][3];
-    direction(r, random_int_between(r, 1, 3), m);
-    farthest(r, box, m, X);
-    outward_vector(r, m, size, v[0]);
-    outward_vector(r, m, size, v[1]);
-    for (int a = 0; a < 3; a++) {
-        u[0][a] = X[a];
-        u[1][a] = X[a] + v[0][a];
-        u[2][a] = X[a] + v[1][a];
-    }
-}
-
-static void edge_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
-{
-    double m[3], X[3], d[3], v[3];
-    direction(r, 2, m);
-    farthest(r, box, m, X);
-    const int i = m[0] == 0 ? 0 : m[1] == 0 ? 1 : 2, a = (i + 1) % 3, b = (i + 2) % 3;
-    d[i] = random_double(r, -size, size);
-    d[a] = -m[b] * size;
-    d[b] = m[a] * size;
-    outward_vector(r, m, size, v);
-    const double s = random_double(r, 0, 1), t = random_double(r, 0, 1);
-    for (int k = 0; k < 3; k++) {
-        u[0][k] = X[k] + s * d[k];
-        u[1][k] = X[k] - t * d[k];
-        u[2][k] = X[k] + v[k];
-    }
-}
-
-static void plane_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
-{
-    double m[3], X[3], v[3], p[3], q[3];
-    direction(r, 3, m);
-    farthest(r, box, m, X);
-    any_vector(r, size, v);
-    cross(m, v, p);
-    cross(m, p, q);
-    double s[5];
-    for (int k = 0; k < 5; k++)
-        s[k] = random_double(r, 0, 1);
-    for (int a = 0; a < 3; a++) {
-        u[0][a] = X[a] + s[0] * p[a];
-        u[1][a] = X[a] - s[1] * p[a] + s[2] * q[a];
-        u[2][a] = X[a] - s[3] * p[a] - s[4] * q[a];
-    }
-}
-
-static void turn_vertices(random_source *r, double u[3][3])
-{
-    double copy[3][3];
-    const int first = random_int(r, 3), way = random_int_between(r, 1, 2);
-    memcpy(copy, u, sizeof copy);
-    for (int j = 0; j < 3; j++)
-        memcpy(u[j], copy[(first + way * j) % 3], sizeof copy[0]);
-}
-
-/*
- * A triangle about as large as `size` that touches the box with a vertex, an edge or its inside, but for rounding, and has no point
- * beyond a plane of contact.
- */
-static void draw_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
-{
-    static void (*const kinds[])(random_source *, const tribox_box *, double, double[3][3]) = {vertex_contact, edge_contact,
-                                                                                               edge_contact, plane_contact};
-    kinds[random_int(r, 4)](r, box, size, u);
-    turn_vertices(r, u);
+    draw_contact_f64(r, box, (contact_style){.size = size}, any_contact_part(r), u);
 }
 
 /* A triangle whose edge or plane goes through a corner of the box, or a vertex of which is one. Mostly it enters the box. */
@@ -199,7 +92,7 @@ static void place(batch_f64 *batch, const int exponent[3], const double offset[3
 static void draw_contacts(random_source *r, batch_f64 *batch, double size)
 {
     for (int k = 0; k < BATCH_F64; k++)
-        draw_contact(r, &batch->box, size, batch->u[k]);
+        draw_contact_of(r, &batch->box, size, batch->u[k]);
 }
 
 static void nudge_all(random_source *r, batch_f64 *batch, int most)
@@ -236,7 +129,7 @@ static void draw_needles(random_source *r, batch_f64 *batch)
     batch->box = box_about_zero(r, 0.01, 1);
     for (int k = 0; k < BATCH_F64; k++) {
         double(*const u)[3] = batch->u[k];
-        draw_contact(r, &batch->box, 2, u);
+        draw_contact_of(r, &batch->box, 2, u);
         const int j = random_int(r, 3);
         for (int a = 0; a < 3; a++)
             u[(j + 1) % 3][a] = stepped(u[j][a], random_int_between(r, -4, 4));
@@ -431,7 +324,7 @@ static void draw_flat(random_source *r, batch_f64 *batch)
         batch->box.hi[a] = batch->box.lo[a];
     }
     for (int k = 0; k < BATCH_F64; k++) {
-        draw_contact(r, &batch->box, 2, batch->u[k]);
+        draw_contact_of(r, &batch->box, 2, batch->u[k]);
         if (k % 2)
             nudge(r, batch->u[k], 3);
     }
@@ -465,7 +358,7 @@ static void draw_thin(random_source *r, batch_f64 *batch)
     make_thin(r, batch);
     const double size = ldexp(1, random_int_between(r, -4, 3)), by = ldexp(1, random_int_between(r, -50, -20));
     for (int k = 0; k < BATCH_F64; k++) {
-        draw_contact(r, &batch->box, size, batch->u[k]);
+        draw_contact_of(r, &batch->box, size, batch->u[k]);
         if (k % 2)
             shift(r, batch->u[k], 9, by);
     }
@@ -506,7 +399,7 @@ static void draw_sides(random_source *r, batch_f64 *batch)
         }
     }
     for (int k = 0; k < BATCH_F64; k++) {
-        draw_contact(r, &batch->box, 2, batch->u[k]);
+        draw_contact_of(r, &batch->box, 2, batch->u[k]);
         if (k % 2)
             shift(r, batch->u[k], 9, k % 4 == 1 ? 0x1p-24 : 0x1p-52);
     }
@@ -602,7 +495,7 @@ static void draw_wild(random_source *r, batch_f64 *batch)
     const int exponent = random_int_between(r, 30, 140);
     for (int k = 0; k < BATCH_F64; k++) {
         double(*const u)[3] = batch->u[k];
-        draw_contact(r, &batch->box, 2, u);
+        draw_contact_of(r, &batch->box, 2, u);
         const int j = random_int(r, 3);
         for (int a = 0; a < 3; a++) {
             const double from = u[j][a];

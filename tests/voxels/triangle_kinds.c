@@ -256,7 +256,6 @@ static void draw_on_line(random_source *r, const triangle_kind *s, const cells_c
 static void draw_touching(random_source *r, const triangle_kind *s, const cells_case *c, double p[3][3])
 {
     uint32_t at[3];
-    float u[3][3];
     for (int a = 0; a < 3; a++)
         at[a] = (uint32_t)random_below(r, c->at.size[a]);
     const tribox_box cell = cells_box(c, at);
@@ -264,9 +263,7 @@ static void draw_touching(random_source *r, const triangle_kind *s, const cells_
     const bool is_cubic = length[0] == length[1] && length[0] == length[2];
     const contact_style style = {.step = is_cubic && random_int(r, 2) ? length[0] / 4 : 0,
                                  .size = length[random_int(r, 3)] * power(r, s->along)};
-    draw_contact(r, &cell, style, any_contact_part(r), u);
-    for (int n = 0; n < 9; n++)
-        p[n / 3][n % 3] = u[n / 3][n % 3];
+    draw_contact_f64(r, &cell, style, any_contact_part(r), p);
 }
 
 /* Just outside of the window on one axis, or just on its outermost planes. */
