@@ -26,14 +26,22 @@ static inline bool are_finite(const double *numbers, int count)
     return are;
 }
 
-static inline bool pair_f64_is_finite(const pair_f64 *pair)
-{
-    return are_finite(&pair->u[0][0], 9) && are_finite(pair->box.lo, 3) && are_finite(pair->box.hi, 3);
-}
+static inline bool box_is_finite(const tribox_box *box) { return are_finite(box->lo, 3) && are_finite(box->hi, 3); }
+
+static inline bool pair_f64_is_finite(const pair_f64 *pair) { return are_finite(&pair->u[0][0], 9) && box_is_finite(&pair->box); }
 
 static inline bool box_is_empty(const tribox_box *box)
 {
     return box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2];
+}
+
+/* By comparison of every coordinate with the bounds: not of a NaN, and of no triangle where the box is empty. */
+static inline bool triangle_is_inside(const double (*u)[3], const tribox_box *box)
+{
+    bool is = true;
+    for (int k = 0; k < 9; k++)
+        is = is && u[k / 3][k % 3] >= box->lo[k % 3] && u[k / 3][k % 3] <= box->hi[k % 3];
+    return is;
 }
 
 /* Of nine floats. */

@@ -8,6 +8,15 @@
 
 static inline bool bit_of(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
 
+/* The first bit that is `wanted`, or the count. */
+static inline size_t first_bit(const uint64_t *mask, size_t count, bool wanted)
+{
+    size_t i = 0;
+    while (i < count && bit_of(mask, i) != wanted)
+        i++;
+    return i;
+}
+
 static inline size_t bits_set(const uint64_t *mask, size_t words)
 {
     size_t count = 0;

@@ -47,7 +47,7 @@ static tribox_grid draw_grid(input *in, bool is_small)
         grid.size[a] = others[input_below(in, is_small ? 3 : 8)];
     for (int a = 0; a < 3; a++) {
         grid.cell[a] = fabs(grid.cell[a]);
-        const double places[2] = {grid.origin[a] + grid.cell[a] / 2, plane(&grid, a, grid.size[a])};
+        const double places[2] = {grid.origin[a] + grid.cell[a] / 2, plane_of(&grid, a, grid.size[a])};
         for (int k = 0; k < 2; k++)
             input_remember(in, in->is_wide ? places[k] : (double)(float)places[k]);
     }
@@ -60,24 +60,16 @@ static bool is_sound(const tribox_grid *grid)
         if (!grid->size[a] || !isfinite(grid->origin[a]) || !isfinite(grid->cell[a]) || !(grid->cell[a] > 0))
             return false;
         for (uint32_t p = 0; p < grid->size[a]; p++)
-            if (!(plane(grid, a, p) < plane(grid, a, p + 1)) || !isfinite(plane(grid, a, p + 1)))
+            if (!(plane_of(grid, a, p) < plane_of(grid, a, p + 1)) || !isfinite(plane_of(grid, a, p + 1)))
                 return false;
     }
     return true;
-}
-
-/* The bit of a cell in the mask of a window of that size. */
-static size_t bit_of(const uint32_t size[3], uint32_t i, uint32_t j, uint32_t k)
-{
-    return 64 * (((size_t)k * size[1] + j) * tribox_mask_words(size[0])) + i;
 }
 
 static size_t place_of(const fuzz_case *q, uint32_t i, uint32_t j, uint32_t k)
 {
     return ((size_t)k * q->grid.size[1] + j) * q->grid.size[0] + i;
 }
-
-static void set_bit(uint64_t *mask, size_t bit) { mask[bit / 64] |= UINT64_C(1) << bit % 64; }
 
 /* The bits of a word that are cells: past the end of a row there are none. */
 static uint64_t cells_of_word(const tribox_grid *grid, size_t w)
@@ -99,12 +91,12 @@ static void find_hits(fuzz_case *q)
                 const uint32_t at[3] = {i, j, k};
                 uint64_t mask;
                 for (int a = 0; a < 3; a++)
-                    ensure(cell.lo[a] == plane(&q->grid, a, at[a]) && cell.hi[a] == plane(&q->grid, a, at[a] + 1),
+                    ensure(cell.lo[a] == plane_of(&q->grid, a, at[a]) && cell.hi[a] == plane_of(&q->grid, a, at[a] + 1),
                            "tribox_grid_cell is not by the planes");
                 ensure_status(0, things_overlap(&q->t, &(tribox_region){.box = &cell}, &o, &mask, NULL));
                 q->hits[place_of(q, i, j, k)] = (uint8_t)mask;
                 if (mask)
-                    set_bit(q->expected, bit_of(size, i, j, k));
+                    window_put(size, q->expected, i, j, k, true);
             }
 }
 
@@ -122,9 +114,10 @@ static void check_window(const fuzz_case *q, const tribox_window *w, const tribo
     for (uint32_t k = 0; k < w->size[2]; k++)
         for (uint32_t j = 0; j < w->size[1]; j++)
             for (uint32_t i = 0; i < w->size[0]; i++) {
-                const size_t at = bit_of(q->grid.size, w->first[0] + i, w->first[1] + j, w->first[2] + k);
-                const bool is = mask_bit(set, bit_of(w->size, i, j, k)), had = has_before && mask_bit(q->before, at);
-                const bool wanted = had || mask_bit(q->expected, at);
+                const uint32_t at[3] = {w->first[0] + i, w->first[1] + j, w->first[2] + k}, *const size = q->grid.size;
+                const bool is = window_bit(w->size, set, i, j, k);
+                const bool had = has_before && window_bit(size, q->before, at[0], at[1], at[2]);
+                const bool wanted = had || window_bit(size, q->expected, at[0], at[1], at[2]);
                 ensure(is == wanted || (is ? o->accuracy != TRIBOX_EXACT : o->accuracy == TRIBOX_FAST && !had),
                        "cell %u %u %u of a window from %u %u %u on is %d", i, j, k, w->first[0], w->first[1], w->first[2], is);
             }
@@ -203,8 +196,8 @@ static int take(void *data, const uint32_t at[3], const uint64_t bits[8])
         if (!(bits[n / 64] >> n % 64 & 1))
             continue;
         ensure(i < q->grid.size[0] && j < q->grid.size[1] && k < q->grid.size[2], "cell %u %u %u of a brick is outside", i, j, k);
-        ensure(!mask_bit(q->taken, bit_of(q->grid.size, i, j, k)), "cell %u %u %u comes twice", i, j, k);
-        set_bit(q->taken, bit_of(q->grid.size, i, j, k));
+        ensure(!window_bit(q->grid.size, q->taken, i, j, k), "cell %u %u %u comes twice", i, j, k);
+        window_put(q->grid.size, q->taken, i, j, k, true);
         q->taken_cells++;
     }
     ensure(q->taken_cells > before, "a brick is empty");
@@ -223,25 +216,9 @@ static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], co
     return take(data, at, bits);
 }
 
-/* The box of the tile. */
-static tribox_box box_of(const fuzz_case *q, size_t tile)
-{
-    uint32_t low[3], high[3];
-    for (int a = 0; a < 3; a++) {
-        const uint32_t size = q->grid.size[a], along = (size + q->tile - 1) / q->tile;
-        low[a] = (uint32_t)(tile % along) * q->tile;
-        high[a] = (low[a] + q->tile < size ? low[a] + q->tile : size) - 1;
-        tile /= along;
-    }
-    tribox_box box = tribox_grid_cell(&q->grid, low[0], low[1], low[2]);
-    const tribox_box last = tribox_grid_cell(&q->grid, high[0], high[1], high[2]);
-    memcpy(box.hi, last.hi, sizeof box.hi);
-    return box;
-}
-
 static void check_list(const fuzz_case *q, size_t tile, const uint32_t *list, size_t count, bool is_exact)
 {
-    const tribox_box box = box_of(q, tile);
+    const tribox_box box = box_of_tile(&q->grid, q->tile, tile);
     const tribox_options o = {.axes = q->options.axes, .kernel = "scalar"};
     uint64_t mask = 0, listed = 0;
     ensure_status(0, things_overlap(&q->t, &(tribox_region){.box = &box}, &o, &mask, NULL));
@@ -338,16 +315,15 @@ static void check_parity(const fuzz_case *q, const uint64_t *walls)
         memcpy(at.u[t], things_triangle(&q->t, t), sizeof at.u[t]);
     for (int a = 0; a < 3; a++)
         for (uint32_t n = 0; n < at.size[a]; n++)
-            at.middle[a][n] = (plane(&q->grid, a, n) + plane(&q->grid, a, n + 1)) / 2;
+            at.middle[a][n] = (plane_of(&q->grid, a, n) + plane_of(&q->grid, a, n + 1)) / 2;
     ensure_status(0, CALL(fill_parity, &q->t, &q->grid, walls, scratch, solid, &inside, &odd_rows));
     crossing_oracle(&at, is_inside, is_odd);
     for (uint32_t row = 0; row < at.size[1] * at.size[2]; row++) {
         expected_odd += is_odd[row];
         for (uint32_t i = 0; i < at.size[0]; i++) {
-            const size_t bit = bit_of(at.size, i, row, 0);
-            const bool is_filled = !mask_bit(walls, bit) && is_inside[row * at.size[0] + i];
+            const bool is_wall = window_bit(at.size, walls, i, row, 0), is_filled = !is_wall && is_inside[row * at.size[0] + i];
             expected_inside += is_filled;
-            ensure(mask_bit(solid, bit) == (mask_bit(walls, bit) || is_filled), "parity: cell %u of row %u", i, row);
+            ensure(window_bit(at.size, solid, i, row, 0) == (is_wall || is_filled), "parity: cell %u of row %u", i, row);
         }
     }
     for (size_t w = 0; w < q->words; w++)
@@ -367,7 +343,7 @@ static void spread(const fuzz_case *q, const uint64_t *walls, bool *is_reached)
             bool is_beside = false;
             for (int a = 0; a < 3; step *= size[a++])
                 is_beside = is_beside || !place[a] || place[a] + 1 == size[a] || is_reached[n - step] || is_reached[n + step];
-            if (is_beside && !is_reached[n] && !mask_bit(walls, bit_of(size, place[0], row, 0)))
+            if (is_beside && !is_reached[n] && !window_bit(size, walls, place[0], row, 0))
                 is_reached[n] = is_new = true;
         }
     }
@@ -382,9 +358,9 @@ static void check_outside(const fuzz_case *q, const uint64_t *walls)
     spread(q, walls, is_reached);
     ensure_status(0, tribox_fill_outside(q->grid.size, walls, tight_memory(tribox_fill_bytes(q->grid.size), 3), solid, &inside));
     for (size_t n = 0; n < q->cells; n++) {
-        const size_t bit = bit_of(q->grid.size, (uint32_t)(n % q->grid.size[0]), (uint32_t)(n / q->grid.size[0]), 0);
-        expected += !is_reached[n] && !mask_bit(walls, bit);
-        ensure(mask_bit(solid, bit) == !is_reached[n], "outside: cell %zu", n);
+        const size_t i = n % q->grid.size[0], row = n / q->grid.size[0];
+        expected += !is_reached[n] && !window_bit(q->grid.size, walls, i, row, 0);
+        ensure(window_bit(q->grid.size, solid, i, row, 0) == !is_reached[n], "outside: cell %zu", n);
     }
     for (size_t w = 0; w < q->words; w++)
         ensure(!(solid[w] & ~cells_of_word(&q->grid, w)), "outside: word %zu has bits past the row", w);

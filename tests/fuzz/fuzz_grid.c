@@ -43,7 +43,7 @@ static void check_holds(const grid_choice *choice, const tribox_grid *grid, cons
         const corners u = things_triangle(t, i);
         for (int k = 0; are_finite(u[0], 9) && k < 9; k++) {
             const int axis = k % 3;
-            const double x = u[k / 3][axis], end = plane(grid, axis, grid->size[axis]);
+            const double x = u[k / 3][axis], end = plane_of(grid, axis, grid->size[axis]);
             ensure(choice->has_origin || x >= grid->origin[axis], "%a lies below the grid, which begins at %a on axis %d", x,
                    grid->origin[axis], axis);
             ensure(choice->has_size || x <= end, "%a lies above the grid, which ends at %a on axis %d", x, end, axis);

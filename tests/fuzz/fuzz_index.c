@@ -108,7 +108,7 @@ static bool is_inside(const fuzz_case *q, const tribox_options *o, size_t i)
 {
     uint64_t *const inside = tight_mask(q->t.count);
     ensure_status(0, CALL(classify, &q->t, &q->box[0], o, NULL, inside, NULL));
-    return mask_bit(inside, i);
+    return bit_of(inside, i);
 }
 
 static void check_list(const fuzz_case *q, const tribox_options *o, const uint64_t *mask)
@@ -119,12 +119,12 @@ static void check_list(const fuzz_case *q, const tribox_options *o, const uint64
     ensure_status(0, tribox_index_list(&q->with_ids, &q->region, o, expected, list, &found));
     ensure(found == expected, "a list of %zu", found);
     for (size_t i = 0; i < q->t.count; i++)
-        if (mask_bit(mask, i))
+        if (bit_of(mask, i))
             ensure(list[k++] == q->ids[i], "triangle %zu is not listed", i);
     ensure_status(0, tribox_index_any(&q->index, &q->region, o, &triangle));
     const bool is_none = triangle == q->t.count && !expected;
     ensure(is_none ||
-               (triangle < q->t.count && (mask_bit(mask, triangle) || (o->accuracy == TRIBOX_FAST && is_inside(q, o, triangle)))),
+               (triangle < q->t.count && (bit_of(mask, triangle) || (o->accuracy == TRIBOX_FAST && is_inside(q, o, triangle)))),
            "any finds %zu", triangle);
 }
 

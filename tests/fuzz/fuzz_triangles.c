@@ -82,7 +82,7 @@ static void check_mask(const fuzz_case *q, const tribox_options *o, const uint64
 {
     for (size_t i = 0; i < q->count; i++) {
         const unsigned k = (unsigned)(i / q->t.run % q->drawn);
-        if (is_right(q, o, &q->truth[k], mask_bit(mask, i)))
+        if (is_right(q, o, &q->truth[k], bit_of(mask, i)))
             continue;
         const pair_f64 pair = pair_of(q, k);
         if (q->form == ORIENTED && are_finite(pair.u[0], 9))
@@ -126,10 +126,10 @@ static void check_classify(const fuzz_case *q, const tribox_options *o, const ui
     ensure_status(0, CALL(classify, &q->t, &q->box[0], o, set, inside, &report));
     ensure(report.overlapping == mask_population(set, q->count), "classify reports %zu overlapping", report.overlapping);
     for (size_t i = 0; i < q->count; i++) {
-        const bool is_inside = triangle_is_inside(things_triangle(&q->t, i), &q->box[0]), bit = mask_bit(set, i);
-        ensure(mask_bit(inside, i) == is_inside && (bit || !is_inside), "kind %u: triangle %zu is %sinside", q->kind, i,
+        const bool is_inside = triangle_is_inside(things_triangle(&q->t, i), &q->box[0]), bit = bit_of(set, i);
+        ensure(bit_of(inside, i) == is_inside && (bit || !is_inside), "kind %u: triangle %zu is %sinside", q->kind, i,
                is_inside ? "" : "not ");
-        ensure(bit == mask_bit(mask, i) || (is_fast && (is_inside || bit == q->truth[i / q->t.run % q->drawn].overlaps)),
+        ensure(bit == bit_of(mask, i) || (is_fast && (is_inside || bit == q->truth[i / q->t.run % q->drawn].overlaps)),
                "kind %u: classify and overlap differ about triangle %zu", q->kind, i);
     }
     if (o->kernel != runnable_kernels()[0])
@@ -144,12 +144,12 @@ static void check_indices(const uint64_t *mask, size_t count)
 {
     size_t population = 0, listed = 0;
     for (size_t i = 0; i < count; i++)
-        population += mask_bit(mask, i);
+        population += bit_of(mask, i);
     uint32_t *const indices = tight_memory(population * sizeof *indices, 0);
     ensure(tribox_mask_indices(mask, count, NULL) == population, "tribox_mask_indices does not count %zu bits", population);
     ensure(tribox_mask_indices(mask, count, indices) == population, "tribox_mask_indices does not list %zu bits", population);
     for (size_t i = 0; i < count; i++)
-        if (mask_bit(mask, i))
+        if (bit_of(mask, i))
             ensure(indices[listed++] == i, "bit %zu is not listed", i);
 }
 

@@ -1,6 +1,5 @@
 #include "things.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "common/kernels_here.h"
@@ -168,29 +167,9 @@ things things_part(const things *t, size_t first, size_t count)
     return part;
 }
 
-double plane(const tribox_grid *grid, int a, uint32_t p) { return fma(p, grid->cell[a], grid->origin[a]); }
-
-bool are_finite(const double *numbers, int count)
-{
-    for (int k = 0; k < count; k++)
-        if (!isfinite(numbers[k]))
-            return false;
-    return true;
-}
-
-bool box_is_finite(const tribox_box *box) { return are_finite(box->lo, 3) && are_finite(box->hi, 3); }
-
 bool oriented_is_finite(const tribox_oriented_box *box)
 {
     return are_finite(box->center, 3) && are_finite(box->half, 3) && are_finite(box->axis[0], 9);
-}
-
-bool triangle_is_inside(corners u, const tribox_box *box)
-{
-    for (int k = 0; k < 9; k++)
-        if (!(u[k / 3][k % 3] >= box->lo[k % 3] && u[k / 3][k % 3] <= box->hi[k % 3]))
-            return false;
-    return true;
 }
 
 tribox_status things_overlap(const things *t, const tribox_region *region, const tribox_options *o, uint64_t *mask,
@@ -223,20 +202,8 @@ void ask_everywhere(tribox_options o, asking *ask, const void *about)
 
 size_t mask_population(const uint64_t *mask, size_t count)
 {
-    size_t population = 0;
-    for (size_t w = 0; w < tribox_mask_words(count); w++)
-        for (uint64_t left = mask[w]; left; left &= left - 1)
-            population++;
     ensure(count % 64 == 0 || mask[count / 64] >> count % 64 == 0, "bits are set past the count of %zu", count);
-    return population;
-}
-
-size_t first_bit(const uint64_t *mask, size_t count, bool wanted)
-{
-    size_t i = 0;
-    while (i < count && mask_bit(mask, i) != wanted)
-        i++;
-    return i;
+    return bits_set(mask, tribox_mask_words(count));
 }
 
 bool is_same_mask(const uint64_t *one, const uint64_t *other, size_t count)

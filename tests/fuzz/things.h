@@ -9,7 +9,10 @@
 #ifndef TRIBOX_TESTS_FUZZ_THINGS_H
 #define TRIBOX_TESTS_FUZZ_THINGS_H
 
+#include "common/grid_places.h"
+#include "common/pair_f64.h"
 #include "common/soup_or_mesh.h"
+#include "common/window_bits.h"
 #include "ensure.h"
 
 enum { INPUT_KNOWN = 18 };
@@ -84,15 +87,7 @@ things things_part(const things *t, size_t first, size_t count);
 typedef const double (*corners)[3];
 static inline corners things_triangle(const things *t, size_t i) { return (corners)t->u[i / t->run % t->drawn]; }
 
-/* By the definition in tribox.h. */
-double plane(const tribox_grid *grid, int a, uint32_t p);
-
-bool are_finite(const double *numbers, int count);
-bool box_is_finite(const tribox_box *box);
 bool oriented_is_finite(const tribox_oriented_box *box);
-
-/* By comparison of every coordinate with the bounds. */
-bool triangle_is_inside(corners u, const tribox_box *box);
 
 tribox_status things_overlap(const things *t, const tribox_region *region, const tribox_options *o, uint64_t *mask,
                              tribox_report *report);
@@ -107,13 +102,8 @@ const char *const *runnable_kernels(void);
 typedef void asking(const void *about, const tribox_options *o);
 void ask_everywhere(tribox_options o, asking *ask, const void *about);
 
-static inline bool mask_bit(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
-
 /* The set bits; those past `count` are claimed to be clear. */
 size_t mask_population(const uint64_t *mask, size_t count);
-
-/* The first bit that is `wanted`, or the count. */
-size_t first_bit(const uint64_t *mask, size_t count, bool wanted);
 
 bool is_same_mask(const uint64_t *one, const uint64_t *other, size_t count);
 

@@ -1,8 +1,7 @@
 #include "forms.h"
 
-#include <math.h>
-
 #include "common/harness.h"
+#include "common/pair_f64.h"
 #include "common/soup_or_mesh.h"
 #include "common/fences.h"
 
@@ -315,14 +314,6 @@ void check_damaged(const tribox_region *region, const tribox_options *options, c
     ask_all_forms(&(question){.region = *region, .options = options, .name = name, .is_damaged = true});
 }
 
-static bool has_list(const tribox_box *box)
-{
-    for (int a = 0; a < 3; a++)
-        if (!isfinite(box->lo[a]) || !isfinite(box->hi[a]))
-            return false;
-    return true;
-}
-
 void check_lists(const tribox_boxes *boxes, const tribox_options *options, const char *name)
 {
     const size_t most = boxes->count * stored.soup.count;
@@ -338,7 +329,7 @@ void check_lists(const tribox_boxes *boxes, const tribox_options *options, const
             box.hi[a] = boxes->hi[a][b];
         }
         say(&q, "tribox_index_list");
-        if (has_list(&box))
+        if (box_is_finite(&box))
             demand_ok(tribox_index_list(&stored.with_ids, &(tribox_region){.box = &box}, options, stored.soup.count,
                                         expected + total, &found));
         begins[b] = total;

@@ -77,9 +77,8 @@ static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
 static void check_searches(const tribox_mesh *mesh, const uint64_t *wanted, size_t bad, const char *kernel)
 {
     for (int what = TRIBOX_FIRST_HIT; what <= TRIBOX_FIRST_MISS; what++) {
-        size_t found = 12345, due = 0;
-        while (due < mesh->count && bit_of(wanted, due) != (what == TRIBOX_FIRST_HIT))
-            due++;
+        size_t found = 12345;
+        const size_t due = first_bit(wanted, mesh->count, what == TRIBOX_FIRST_HIT);
         say("tribox_mesh_find", kernel, mesh);
         const tribox_status status =
             tribox_mesh_find(mesh, &cube, &(tribox_options){.kernel = kernel}, (tribox_find_what)what, &found);

@@ -30,17 +30,15 @@ typedef struct fill_case {
 /* The number at a place, counted in cells, as a mesh of the case can have it. */
 static double number_at(const fill_case *c, int a, double place)
 {
-    const double number = fma(place, c->grid.cell[a], c->grid.origin[a]);
+    const double number = plane_of(&c->grid, a, place);
     return c->is_double ? number : (double)(float)number;
 }
-
-static double plane_at(const fill_case *c, int a, uint32_t plane) { return fma(plane, c->grid.cell[a], c->grid.origin[a]); }
 
 static void set_middles(fill_case *c)
 {
     for (int a = 0; a < 3; a++)
         for (uint32_t n = 0; n < c->at.size[a]; n++) {
-            const double lo = plane_at(c, a, n), hi = plane_at(c, a, n + 1);
+            const double lo = plane_of(&c->grid, a, n), hi = plane_of(&c->grid, a, n + 1);
             const double mean = isfinite(lo + hi) ? (lo + hi) / 2 : lo / 2 + hi / 2;
             c->at.middle[a][n] = mean < hi ? mean : lo;
         }
@@ -200,8 +198,8 @@ static bool are_all(const fill_case *c, bool in_grid)
     bool are = true;
     for (int n = 0; n < 9 * c->at.count; n++) {
         const double number = c->at.u[n / 9][n / 3 % 3][n % 3];
-        const double lo = in_grid ? plane_at(c, n % 3, 0) : -DBL_MAX,
-                     hi = in_grid ? plane_at(c, n % 3, c->at.size[n % 3]) : DBL_MAX;
+        const double lo = in_grid ? plane_of(&c->grid, n % 3, 0) : -DBL_MAX,
+                     hi = in_grid ? plane_of(&c->grid, n % 3, c->at.size[n % 3]) : DBL_MAX;
         are = are && number >= lo && number <= hi;
     }
     return are;
@@ -420,8 +418,8 @@ static void cut_mesh(const fill_case *from, const tribox_window *w, fill_case *t
         bool is_beside = false;
         for (int a = 1; a < 3; a++) {
             const double u[3] = {from->at.u[t][0][a], from->at.u[t][1][a], from->at.u[t][2][a]};
-            is_beside = is_beside || fmax(fmax(u[0], u[1]), u[2]) < plane_at(from, a, w->first[a]) ||
-                        fmin(fmin(u[0], u[1]), u[2]) > plane_at(from, a, w->first[a] + w->size[a]);
+            is_beside = is_beside || fmax(fmax(u[0], u[1]), u[2]) < plane_of(&from->grid, a, w->first[a]) ||
+                        fmin(fmin(u[0], u[1]), u[2]) > plane_of(&from->grid, a, w->first[a] + w->size[a]);
         }
         if (!is_beside)
             memcpy(to->at.u[to->at.count++], from->at.u[t], sizeof from->at.u[t]);
@@ -507,7 +505,7 @@ static void expect_along(const fill_case *c, int along)
         memcpy(one.middle[a], c->at.middle[from], sizeof one.middle[a]);
     }
     for (uint32_t p = 0; p < one.size[0]; p++)
-        one.middle[0][p] = fma(p, c->grid.cell[along], c->grid.origin[along]);
+        one.middle[0][p] = plane_of(&c->grid, along, p);
     memcpy(&mirrored, &one, sizeof mirrored);
     mirrored.size[0] = 1;
     mirrored.middle[0][0] = -one.middle[0][0];

@@ -209,11 +209,12 @@ CASE(test_lists)
 /* Grids of cells of length 1 with so many tiles that no call can look at a layer of them, or a row, each time. */
 static const struct many_tiles {
     bool is_double;
-    uint32_t size[3], tile;
+    tribox_grid grid;
+    uint32_t tile;
 } many_tiles[] = {
-    {false, {8000, 8000, 8000}, 8}, /* told apart in float */
-    {false, {65536, 65536, 65536}, 8},      {true, {8000, 8000, 8000}, 8},
-    {true, {2147483648, 5, 1073741824}, 8}, {true, {5, 2147483648, 2147483648}, 8},
+    {false, {{0}, {1, 1, 1}, {8000, 8000, 8000}}, 8}, /* told apart in float */
+    {false, {{0}, {1, 1, 1}, {65536, 65536, 65536}}, 8},      {true, {{0}, {1, 1, 1}, {8000, 8000, 8000}}, 8},
+    {true, {{0}, {1, 1, 1}, {2147483648, 5, 1073741824}}, 8}, {true, {{0}, {1, 1, 1}, {5, 2147483648, 2147483648}}, 8},
 };
 
 /* A triangle across most of the grid, and a tile that it may overlap, at an end of a row or a layer at times. */
@@ -223,38 +224,24 @@ static size_t draw_across(random_source *r, const struct many_tiles *many, doubl
     size_t tile = 0;
     for (int v = 0; v < 3; v++)
         for (int a = 0; a < 3; a++)
-            u[v][a] = (float)(random_double(r, -0.2, 1.2) * many->size[a]);
+            u[v][a] = (float)(random_double(r, -0.2, 1.2) * many->grid.size[a]);
     for (int a = 2; a >= 0; a--) {
-        const double place = s * u[0][a] + t * u[1][a] + (1 - s - t) * u[2][a], last = many->size[a] - 1.0;
+        const double place = s * u[0][a] + t * u[1][a] + (1 - s - t) * u[2][a], last = many->grid.size[a] - 1.0;
         const double cell = random_int(r, 4) ? fmin(fmax(place, 0), last) : random_int(r, 2) ? 0 : last;
-        tile = tile * ((many->size[a] + many->tile - 1) / many->tile) + (size_t)cell / many->tile;
+        tile = tile * ((many->grid.size[a] + many->tile - 1) / many->tile) + (size_t)cell / many->tile;
     }
     return tile;
-}
-
-static tribox_box box_of(const struct many_tiles *many, size_t tile)
-{
-    tribox_box box;
-    for (int a = 0; a < 3; a++) {
-        const size_t along = (many->size[a] + many->tile - 1) / many->tile;
-        box.lo[a] = (double)(tile % along * many->tile);
-        box.hi[a] = fmin(box.lo[a] + many->tile, many->size[a]);
-        tile /= along;
-    }
-    return box;
 }
 
 static tribox_status count_share(const struct many_tiles *many, const double u[3][3], size_t from, size_t to,
                                  const tribox_options *options, size_t *starts)
 {
-    const uint32_t *const size = many->size;
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {size[0], size[1], size[2]}};
     const tribox_tiles share = {many->tile, from, to - from};
     float number[9];
     for (int n = 0; n < 9; n++)
         number[n] = (float)u[n % 3][n / 3];
     const soup_or_mesh of = {soup_of_rows(number, 1, 1), mesh_of_corners(u, 1, 8), many->is_double};
-    return CALL(tile_lists, &of, &grid, &share, options, starts, NULL);
+    return CALL(tile_lists, &of, &many->grid, &share, options, starts, NULL);
 }
 
 /* Shares of a few tiles, which take no longer than they have to: all of them hours, if a layer or a row were looked at. */
@@ -264,7 +251,7 @@ CASE(test_few_of_many)
     random_source r = random_named(args.seed, "few of many tiles");
     for (size_t round = 0; round < SHARES / (arguments_are_short(&args) ? 10 : 1); round++) {
         const struct many_tiles *const many = &many_tiles[round % (sizeof many_tiles / sizeof many_tiles[0])];
-        const size_t count = tribox_tile_count(many->size, many->tile);
+        const size_t count = tribox_tile_count(many->grid.size, many->tile);
         const tribox_options options = {.axes = random_int(&r, 2) ? TRIBOX_AXES_BOX : TRIBOX_AXES_ALL};
         double u[3][3];
         size_t starts[6], tile = draw_across(&r, many, u);
@@ -275,7 +262,7 @@ CASE(test_few_of_many)
         assert_int_equal(count_share(many, (const double(*)[3])u, from, to, &options, starts), TRIBOX_OK);
         const tribox_mesh mesh = {.positions = u, .vertices = 3, .count = 1, .position_bytes = 8};
         for (size_t t = from; t < to; t++) {
-            const tribox_box box = box_of(many, t);
+            const tribox_box box = box_of_tile(&many->grid, many->tile, t);
             uint64_t mask;
             assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, &mask, NULL), TRIBOX_OK);
             if (starts[t + 1 - from] - starts[t - from] != mask)

@@ -114,13 +114,7 @@ void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint
 void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *options, uint64_t *mask)
 {
     const soup_or_mesh of = judge_of(c);
-    tribox_box box;
-    for (int a = 0; a < 3; a++) {
-        const uint32_t size = c->of.grid.size[a], along = (size + c->tile - 1) / c->tile, low = (uint32_t)(tile % along) * c->tile;
-        box.lo[a] = cells_plane(&c->of.grid, a, low);
-        box.hi[a] = cells_plane(&c->of.grid, a, low + c->tile < size ? low + c->tile : size);
-        tile /= along;
-    }
+    const tribox_box box = box_of_tile(&c->of.grid, c->tile, tile);
     assert_int_equal(CALL(overlap, &of, &box, options, mask, NULL), TRIBOX_OK);
 }
 

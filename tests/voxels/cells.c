@@ -31,11 +31,9 @@ void cells_draw_window(random_source *r, const tribox_window *in, const uint32_t
 
 size_t cells_words(const cells_case *c) { return tribox_window_words(c->at.size); }
 
-double cells_plane(const tribox_grid *grid, int a, double p) { return fma(p, grid->cell[a], grid->origin[a]); }
-
 double cells_place(const cells_case *c, int a, double p)
 {
-    const double place = cells_plane(&c->grid, a, p);
+    const double place = plane_of(&c->grid, a, p);
     return !c->is_double ? (double)nearest_float(place) : fabs(place) <= DBL_MAX ? place : copysign(DBL_MAX, place);
 }
 
@@ -43,8 +41,8 @@ tribox_box cells_box(const cells_case *c, const uint32_t at[3])
 {
     tribox_box box;
     for (int a = 0; a < 3; a++) {
-        box.lo[a] = cells_plane(&c->grid, a, (double)c->at.first[a] + at[a]);
-        box.hi[a] = cells_plane(&c->grid, a, (double)c->at.first[a] + at[a] + 1);
+        box.lo[a] = plane_of(&c->grid, a, (double)c->at.first[a] + at[a]);
+        box.hi[a] = plane_of(&c->grid, a, (double)c->at.first[a] + at[a] + 1);
     }
     return box;
 }
@@ -96,12 +94,12 @@ static bool touch(const cells_case *c, size_t t, int a, block *b)
 {
     const double(*const u)[3] = c->u[t];
     const double least = fmin(fmin(u[0][a], u[1][a]), u[2][a]), most = fmax(fmax(u[0][a], u[1][a]), u[2][a]);
-    double above = cells_plane(&c->grid, a, c->at.first[a]);
+    double above = plane_of(&c->grid, a, c->at.first[a]);
     b->first[a] = c->at.size[a];
     b->end[a] = 0;
     for (uint32_t n = 0; n < c->at.size[a]; n++) {
         const double below = above;
-        above = cells_plane(&c->grid, a, (double)c->at.first[a] + n + 1);
+        above = plane_of(&c->grid, a, (double)c->at.first[a] + n + 1);
         if (below > most || above < least)
             continue;
         b->first[a] = n < b->first[a] ? n : b->first[a];
@@ -293,7 +291,7 @@ static double spacing_at(double number) { return 0x1p-23 * number + 0x1p-149; }
 static void set_band(const cells_case *c, const tribox_box *box, size_t t, double band[3])
 {
     for (int a = 0; a < 3; a++) {
-        const double farthest = fmax(fabs(cells_plane(&c->grid, a, 0)), fabs(cells_plane(&c->grid, a, c->grid.size[a])));
+        const double farthest = fmax(fabs(plane_of(&c->grid, a, 0)), fabs(plane_of(&c->grid, a, c->grid.size[a])));
         double distance = 0;
         for (int j = 0; j < 3; j++)
             distance = fmax(distance, fmax(fabs(c->u[t][j][a] - box->lo[a]), fabs(c->u[t][j][a] - box->hi[a])));

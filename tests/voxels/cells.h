@@ -6,6 +6,7 @@
 #define TRIBOX_TESTS_CELLS_H
 
 #include "common/ask.h"
+#include "common/grid_places.h"
 #include "common/random_draws.h"
 #include "common/soup_or_mesh.h"
 
@@ -35,8 +36,7 @@ void cells_draw_window(random_source *r, const tribox_window *in, const uint32_t
 
 size_t cells_words(const cells_case *c);
 
-/* Plane p of an axis, as C's fma says; and the number of the triangles that is nearest to it, always finite. */
-double cells_plane(const tribox_grid *grid, int a, double p);
+/* The number of the triangles that is nearest to plane p of an axis, always finite. */
 double cells_place(const cells_case *c, int a, double p);
 
 /* The box of a cell of the window. */

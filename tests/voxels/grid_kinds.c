@@ -238,7 +238,7 @@ static bool has_rising_planes(const tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++)
         for (uint32_t p = 0; p <= grid->size[a]; p++)
-            if (!isfinite(cells_plane(grid, a, p)) || (p && !(cells_plane(grid, a, p) > cells_plane(grid, a, p - 1.0))))
+            if (!isfinite(plane_of(grid, a, p)) || (p && !(plane_of(grid, a, p) > plane_of(grid, a, p - 1.0))))
                 return false;
     return true;
 }

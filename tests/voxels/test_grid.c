@@ -77,7 +77,7 @@ CASE(test_planes)
         tribox_grid grid = grid_of(UINT32_MAX, 1, 1);
         uint32_t p;
         draw_plane(&r, &grid.origin[0], &grid.cell[0], &p);
-        const double lo = fma(p, grid.cell[0], grid.origin[0]), hi = fma(p + 1.0, grid.cell[0], grid.origin[0]);
+        const double lo = plane_of(&grid, 0, p), hi = plane_of(&grid, 0, p + 1.0);
         if (!isfinite(grid.origin[0]) || !isfinite(lo) || !isfinite(hi) || !(grid.cell[0] > 0))
             continue;
         const tribox_box box = tribox_grid_cell(&grid, p, 0, 0);
@@ -148,7 +148,7 @@ CASE(test_fineness)
         if (!(grid.cell[a] > 0))
             continue;
         for (uint32_t p = 0; p < grid.size[a] && is_rising; p++)
-            is_rising = fma(p + 1.0, grid.cell[a], grid.origin[a]) > fma(p, grid.cell[a], grid.origin[a]);
+            is_rising = plane_of(&grid, a, p + 1.0) > plane_of(&grid, a, p);
         if (status_of(&grid) != (is_rising ? TRIBOX_OK : TRIBOX_BAD_GRID))
             fail_msg("origin %a, cell %a, size %u: planes %s", grid.origin[a], grid.cell[a], (unsigned)grid.size[a],
                      is_rising ? "rise" : "do not rise");
