@@ -41,3 +41,38 @@ void assert_nothing_beside(const fenced *place)
 }
 
 void assert_nothing_written(const fenced *place) { assert_poisoned(lower_end(place), upper_end(place)); }
+
+void stream_fences_make(size_t most, guarded fence[9])
+{
+    for (int s = 0; s < 9; s++)
+        fence[s] = guarded_make((most + STREAM_SHIFTS) * sizeof(float));
+}
+
+tribox_soup streams_lay(const guarded fence[9], size_t count, int shift, float *to[9])
+{
+    tribox_soup soup = {.count = count};
+    for (int s = 0; s < 9; s++) {
+        const size_t bytes = count * sizeof(float);
+        to[s] = shift == AT_END ? guarded_tail(fence[s], bytes) : (float *)(void *)fence[s].first + shift;
+        (s < 3 ? soup.x : s < 6 ? soup.y : soup.z)[s % 3] = to[s];
+    }
+    return soup;
+}
+
+tribox_soup streams_of_triangles(const guarded fence[9], int shift, const double (*u)[3][3], size_t count)
+{
+    float *to[9];
+    const tribox_soup soup = streams_lay(fence, count, shift, to);
+    for (size_t n = 0; n < 9 * count; n++)
+        to[n % 9][n / 9] = (float)u[n / 9][n % 3][n % 9 / 3];
+    return soup;
+}
+
+void streams_place(const guarded fence[9], size_t count, int shift, fenced place[9], float *to[9])
+{
+    for (int s = 0; s < 9; s++) {
+        const int offset = (int)sizeof(float) * ((shift + s) % STREAM_SHIFTS);
+        place[s] = fenced_place(fence[s], count * sizeof(float), shift == AT_END ? AT_END : offset);
+        to[s] = (float *)(void *)place[s].at;
+    }
+}

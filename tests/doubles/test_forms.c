@@ -28,8 +28,7 @@ static int set_up(void)
     mask_fence = guarded_make(WORDS * sizeof(uint64_t) + 64);
     inside_fence = guarded_make(WORDS * sizeof(uint64_t) + 64);
     report_fence = guarded_make(sizeof(tribox_report) + 64);
-    for (int s = 0; s < 9; s++)
-        stream_fence[s] = guarded_make(LAID_MOST * sizeof(float) + 64);
+    stream_fences_make(LAID_MOST, stream_fence);
     return 0;
 }
 
@@ -144,15 +143,6 @@ static double draw_from(random_source *r, const tribox_mesh *mesh, int a)
     return isfinite(x) ? x : 0;
 }
 
-/* Each stream at a place of its own. */
-static void place_streams(size_t count, int where, fenced stream[9], float *to[9])
-{
-    for (int s = 0; s < 9; s++) {
-        stream[s] = fenced_place(stream_fence[s], count * sizeof(float), where == AT_END ? AT_END : 4 * ((where + s) % 16));
-        to[s] = (float *)(void *)stream[s].at;
-    }
-}
-
 /* Each stream is the one-line definition; a NaN is any NaN. */
 static void check_local_streams(random_source *r, const tribox_mesh *mesh, const char *kernel, int where)
 {
@@ -162,7 +152,7 @@ static void check_local_streams(random_source *r, const tribox_mesh *mesh, const
     const tribox_options options = {.kernel = kernel};
     fenced stream[9];
     float *to[9];
-    place_streams(count, where, stream, to);
+    streams_place(stream_fence, count, where, stream, to);
     say("tribox_mesh_to_soup", mesh, &options);
     assert_int_equal(tribox_mesh_to_soup(mesh, from, first, count, &options, to, to + 3, to + 6), TRIBOX_OK);
     for (int s = 0; s < 9; s++) {
@@ -193,7 +183,7 @@ static void check_streams(const tribox_mesh *mesh, const char *kernel, size_t fi
     const tribox_options options = {.kernel = kernel};
     fenced stream[9];
     float *to[9];
-    place_streams(count, where, stream, to);
+    streams_place(stream_fence, count, where, stream, to);
     say("tribox_mesh_to_soup", mesh, &options);
     assert_int_equal(tribox_mesh_to_soup(mesh, NULL, first, count, &options, to, to + 3, to + 6), TRIBOX_OK);
     for (int s = 0; s < 9; s++) {

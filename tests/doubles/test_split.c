@@ -6,6 +6,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "common/fences.h"
 #include "common/harness.h"
 #include "common/scenes.h"
 #include "common/laid_mesh.h"
@@ -131,13 +132,7 @@ static void check_forms(random_source *r, const tribox_box *box, const double (*
         return;
     q.box = *box;
     q.of.mesh = laid_mesh_of(r, &form, u, count, (const int[3]){0, 1, 2}, fences);
-    q.of.soup.count = count;
-    for (int s = 0; s < 9; s++) {
-        float *const stream = guarded_tail(stream_fences[s], count * sizeof *stream);
-        (s < 3 ? q.of.soup.x : s < 6 ? q.of.soup.y : q.of.soup.z)[s % 3] = stream;
-        for (size_t i = 0; i < count; i++)
-            stream[i] = (float)u[i][s % 3][s / 3];
-    }
+    q.of.soup = streams_of_triangles(stream_fences, AT_END, u, count);
     draw_middle(r, &q, u);
     for (int is_mesh = !are_floats; is_mesh < 2; is_mesh++) {
         q.of.is_mesh = is_mesh;
@@ -248,8 +243,7 @@ static int set_up(void)
 {
     fences = laid_fences_make(args.seed);
     list_fence = guarded_make(LISTED_MOST * sizeof(uint32_t));
-    for (int s = 0; s < 9; s++)
-        stream_fences[s] = guarded_make(TRIANGLES * sizeof(float));
+    stream_fences_make(TRIANGLES, stream_fences);
     bytes_fence = guarded_make(LISTED_MOST);
     return 0;
 }

@@ -1,5 +1,6 @@
 #include "order_kinds.h"
 
+#include "common/fences.h"
 #include "common/harness.h"
 
 #include <float.h>
@@ -47,14 +48,11 @@ static void spoil(random_source *r, const order_room *room, order_kind kind)
 
 order_room order_room_make(random_source *r, order_kind kind, size_t count)
 {
-    order_room room = {.soup = {.count = count}};
-    for (int k = 0; k < 9; k++) {
-        room.stream_fence[k] = guarded_make(count * sizeof(float) + 1);
-        room.stream[k] = guarded_tail(room.stream_fence[k], count * sizeof(float));
-        (k < 3 ? room.soup.x : k < 6 ? room.soup.y : room.soup.z)[k % 3] = room.stream[k];
-        for (size_t i = 0; i < count; i++)
-            room.stream[k][i] = draw_number(r, kind, i, count);
-    }
+    order_room room;
+    stream_fences_make(count, room.stream_fence);
+    room.soup = streams_lay(room.stream_fence, count, AT_END, room.stream);
+    for (size_t n = 0; n < 9 * count; n++)
+        room.stream[n / count][n % count] = draw_number(r, kind, n % count, count);
     if (kind >= KIND_HALF_WILD)
         spoil(r, &room, kind);
     for (int k = 0; k < 9; k++)

@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "common/fences.h"
 #include "common/guarded_pages.h"
 #include "common/harness.h"
 
@@ -12,8 +13,7 @@ stored_soup stored;
 
 void stored_make(size_t room)
 {
-    for (int k = 0; k < STORED_STREAMS; k++)
-        stored.stream_fence[k] = guarded_make((room + STORED_SHIFTS) * sizeof(float));
+    stream_fences_make(room, stored.stream_fence);
     stored.ids_fence = guarded_make((room + STORED_SHIFTS) * sizeof(uint32_t));
     stored.nodes_fence = guarded_make(tribox_index_bytes(room) + STORED_SHIFTS);
 }
@@ -31,14 +31,10 @@ static void *laid(guarded fence, size_t bytes, int shift, size_t unit)
 void stored_soup_lay(size_t count, int shift)
 {
     stored_soup *const s = &stored;
-    for (int k = 0; k < STORED_STREAMS; k++) {
-        s->stream[k] = laid(s->stream_fence[k], count * sizeof(float), shift, sizeof(float));
-        (k < 3 ? s->soup.x : k < 6 ? s->soup.y : s->soup.z)[k % 3] = s->stream[k];
-    }
+    s->soup = streams_lay(s->stream_fence, count, shift, s->stream);
     s->ids = laid(s->ids_fence, count * sizeof(uint32_t), shift, sizeof(uint32_t));
     for (size_t i = 0; i < count; i++)
         s->ids[i] = (uint32_t)i * 2654435761u ^ 0x9e3779b9u;
-    s->soup.count = count;
     s->nodes = laid(s->nodes_fence, tribox_index_bytes(count), shift, 1);
     s->layout = (mesh_layout){.place = {.scale = 1}};
     s->index = s->with_ids = (tribox_index){.nodes = s->nodes, .soup = &s->soup};

@@ -1,6 +1,7 @@
 /* test_gather.c - triangles in any order as streams: every range, and none beside it; an order, which is the same everywhere. */
 #include <math.h>
 
+#include "common/fences.h"
 #include "common/harness.h"
 #include "common/laid_mesh.h"
 #include "common/soup_or_mesh.h"
@@ -10,45 +11,29 @@ enum { COUNT = 90 };
 
 static uint32_t order[COUNT];
 static guarded fence[9];
+static fenced place[9];
 static float *to[9];
 
-/* Streams of so many floats, which end at a page, or begin after one and an odd number of floats. */
-static void lay_streams(size_t count, bool is_at_end)
-{
-    for (int k = 0; k < 9; k++) {
-        memset(fence[k].first, 0xa5, fence[k].size);
-        to[k] = is_at_end ? guarded_tail(fence[k], count * sizeof(float)) : (float *)(void *)(fence[k].first + 4);
-    }
-}
-
-static void demand_untouched(void)
-{
-    for (int k = 0; k < 9; k++)
-        for (size_t i = 0; i < fence[k].size; i++)
-            assert_int_equal(fence[k].first[i], 0xa5);
-}
+/* Streams of so many floats, which end at a page, or begin after one and some floats. */
+static void lay_streams(size_t count, bool is_at_end) { streams_place(fence, count, is_at_end ? AT_END : 1, place, to); }
 
 static int make_fences(void)
 {
     random_source r = random_named(args.seed, "order");
-    for (int k = 0; k < 9; k++)
-        fence[k] = guarded_make(COUNT * sizeof(float) + 64);
+    stream_fences_make(COUNT, fence);
     for (size_t i = 0; i < COUNT; i++) /* some come more than once, some never */
         order[i] = (uint32_t)random_int(&r, COUNT);
     return 0;
 }
 
-/* Bytes that are not those of these triangles have not changed. */
 static void demand_streams(const tribox_soup *soup, size_t first, size_t count)
 {
     for (int k = 0; k < 9; k++) {
         const float *const from = (k < 3 ? soup->x : k < 6 ? soup->y : soup->z)[k % 3];
-        for (size_t i = 0; i < count; i++) {
+        for (size_t i = 0; i < count; i++)
             assert_memory_equal(to[k] + i, from + order[first + i], sizeof(float));
-            memset(to[k] + i, 0xa5, sizeof(float));
-        }
+        assert_nothing_beside(&place[k]);
     }
-    demand_untouched();
 }
 
 CASE(test_soups)

@@ -29,10 +29,7 @@ static void expect_refusal(tribox_status status)
 static tribox_status make_streams(const tribox_mesh *mesh, size_t first, size_t count, const char *kernel, fenced stream[9])
 {
     float *to[9];
-    for (int s = 0; s < 9; s++) {
-        stream[s] = fenced_place(stream_fence[s], count * sizeof(float), AT_END);
-        to[s] = (float *)(void *)stream[s].at;
-    }
+    streams_place(stream_fence, count, AT_END, stream, to);
     say("tribox_mesh_to_soup", kernel, mesh);
     return tribox_mesh_to_soup(mesh, NULL, first, count, &(tribox_options){.kernel = kernel}, to, to + 3, to + 6);
 }
@@ -349,8 +346,7 @@ CASE(test_greatest_numbers) { skip(); }
 static int set_up(void)
 {
     fences = laid_fences_make(args.seed);
-    for (int s = 0; s < 9; s++)
-        stream_fence[s] = guarded_make(LAID_MOST * sizeof(float));
+    stream_fences_make(LAID_MOST, stream_fence);
     mask_fence = guarded_make((LAID_MOST / 64 + 1) * sizeof(uint64_t));
     inside_fence = guarded_make((LAID_MOST / 64 + 1) * sizeof(uint64_t));
     return 0;

@@ -17,8 +17,7 @@ static guarded stream_fence[SOUP_STREAMS], mask_fence, inside_fence;
 
 static int set_up(void)
 {
-    for (int s = 0; s < SOUP_STREAMS; s++)
-        stream_fence[s] = guarded_make(DRAWN_MAX * sizeof(float));
+    stream_fences_make(DRAWN_MAX, stream_fence);
     mask_fence = guarded_make(DRAWN_WORDS * sizeof(uint64_t));
     inside_fence = guarded_make(DRAWN_WORDS * sizeof(uint64_t));
     return 0;

@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "common/fences.h"
 #include "common/harness.h"
 #include "common/laid_mesh.h"
 #include "common/oracle.h"
@@ -42,29 +43,20 @@ static int set_up(void)
 {
     if (!is_scene_known(args.scenes))
         return 2;
-    for (int s = 0; s < STREAMS; s++)
-        fence[s] = guarded_make(ORIENTED_TRIANGLES * sizeof(float));
+    stream_fences_make(ORIENTED_TRIANGLES, fence);
     mask_fence = guarded_make(WORDS * sizeof(uint64_t));
     mesh_fence = laid_fences_make(args.seed);
     return 0;
 }
 
+typedef const double (*const_triangle)[3];
+typedef const double (*const_triangles)[3][3];
+
 /* The streams end at pages that cannot be touched, or begin after them. */
 static void lay_soup(bool is_at_end)
 {
-    const size_t count = (size_t)batch.count;
-    const float **const axis[3] = {of.soup.x, of.soup.y, of.soup.z};
-    of.soup.count = count;
-    for (size_t s = 0; s < STREAMS; s++) {
-        float *const stream = is_at_end ? guarded_tail(fence[s], count * sizeof(float)) : (void *)fence[s].first;
-        for (size_t i = 0; i < count; i++)
-            stream[i] = (float)batch.u[i][s % 3][s / 3];
-        axis[s / 3][s % 3] = stream;
-    }
+    of.soup = streams_of_triangles(fence, is_at_end ? AT_END : 0, (const_triangles)batch.u, (size_t)batch.count);
 }
-
-typedef const double (*const_triangle)[3];
-typedef const double (*const_triangles)[3][3];
 
 /* Of any layout, as floats only where all numbers are such. */
 static void lay_mesh(random_source *r)

@@ -153,8 +153,7 @@ CASE(test_not_finite)
 
 static int make_fences(void)
 {
-    for (int s = 0; s < SOUP_STREAMS; s++)
-        fence.stream[s] = guarded_make(sizeof numbers.stream[s] + 64);
+    stream_fences_make(DRAWN_MAX, fence.stream);
     fence.one = guarded_make(sizeof numbers.triangle + 64);
     fence.mask = guarded_make(sizeof alone[0][0] + 64);
     fence.report = guarded_make(sizeof(tribox_report));

@@ -7,6 +7,7 @@
  */
 #include <math.h>
 
+#include "common/fences.h"
 #include "common/harness.h"
 #include "dispatch.h"
 #include "exact/exact.h"
@@ -173,21 +174,13 @@ CASE(test_walks)
     uint64_t mask[MOST / 64 + 1];
     random_source r = random_named(args.seed, "short walks");
     guarded memory[9];
-    for (int k = 0; k < 9; k++)
-        memory[k] = guarded_make(MOST * sizeof(float));
+    stream_fences_make(MOST, memory);
     for (size_t round = arguments_rounds(&args, MOST / 8); round--;) {
         const size_t count = random_int(&r, 2) ? MOST : 1 + random_below(&r, 300);
         float *number[9];
         tribox_box box;
-        for (int k = 0; k < 9; k++)
-            number[k] = guarded_tail(memory[k], count * sizeof(float));
+        const tribox_soup soup = streams_lay(memory, count, AT_END, number);
         draw_soup(&r, count, number, &box);
-        tribox_soup soup = {.count = count};
-        for (int v = 0; v < 3; v++) {
-            soup.x[v] = number[v];
-            soup.y[v] = number[3 + v];
-            soup.z[v] = number[6 + v];
-        }
         assert_int_equal(tribox_overlap(&soup, &box, &(tribox_options){.kernel = KERNEL_NAME}, mask, NULL), TRIBOX_OK);
         for (size_t i = 0; i < count; i++) {
             tribox_pair pair;
