@@ -1,6 +1,5 @@
 #include "laid_mesh.h"
 
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -44,74 +43,10 @@ laid_fences laid_fences_for(uint64_t seed, size_t triangles, size_t bytes)
 
 laid_fences laid_fences_make(uint64_t seed) { return laid_fences_for(seed, LAID_MOST, LAID_BYTES); }
 
-static unsigned number_bytes(const tribox_mesh *mesh) { return mesh->position_bytes == 8 ? 8 : 4; }
-
-static size_t axis_stride_of(const tribox_mesh *mesh) { return mesh->axis_stride ? mesh->axis_stride : number_bytes(mesh); }
-
-static size_t stride_of(const tribox_mesh *mesh)
-{
-    const unsigned bytes = number_bytes(mesh);
-    return mesh->stride ? mesh->stride : mesh->axis_stride > bytes ? bytes : 3 * bytes;
-}
-
-size_t laid_mesh_index(const tribox_mesh *mesh, size_t corner)
-{
-    uint16_t narrow;
-    uint32_t wide;
-    if (!mesh->indices)
-        return corner;
-    const unsigned char *const at = (const unsigned char *)mesh->indices + mesh->index_bytes * corner;
-    memcpy(mesh->index_bytes == 2 ? (void *)&narrow : &wide, at, mesh->index_bytes);
-    return mesh->index_bytes == 2 ? narrow : wide;
-}
-
-void laid_mesh_set_index(const tribox_mesh *mesh, size_t corner, size_t number)
-{
-    const uint16_t narrow = (uint16_t)number;
-    const uint32_t wide = (uint32_t)number;
-    memcpy((unsigned char *)(uintptr_t)mesh->indices + mesh->index_bytes * corner,
-           mesh->index_bytes == sizeof narrow ? (const void *)&narrow : &wide, mesh->index_bytes);
-}
-
-/* Where axis a of a vertex lies. */
-static unsigned char *place_of(const tribox_mesh *mesh, size_t vertex, int a)
-{
-    unsigned char *const positions = (unsigned char *)(uintptr_t)mesh->positions;
-    const unsigned axes = mesh->axes ? mesh->axes : 123, digit[3] = {axes / 100, axes / 10 % 10, axes % 10};
-    return positions + vertex * stride_of(mesh) + (digit[a] - 1) * axis_stride_of(mesh);
-}
-
-float laid_mesh_float(const tribox_mesh *mesh, size_t corner, int a)
-{
-    float number;
-    memcpy(&number, place_of(mesh, laid_mesh_index(mesh, corner), a), sizeof number);
-    return number;
-}
-
-double laid_mesh_number(const tribox_mesh *mesh, size_t corner, int a)
-{
-    double number;
-    if (number_bytes(mesh) != 8)
-        return (double)laid_mesh_float(mesh, corner, a);
-    memcpy(&number, place_of(mesh, laid_mesh_index(mesh, corner), a), sizeof number);
-    return number;
-}
-
-static void put_number(const tribox_mesh *mesh, size_t vertex, int a, double x)
-{
-    const float narrow = (float)x;
-    memcpy(place_of(mesh, vertex, a), number_bytes(mesh) == 8 ? (const void *)&x : &narrow, number_bytes(mesh));
-}
-
-void laid_mesh_put(const tribox_mesh *mesh, size_t corner, int a, double x)
-{
-    put_number(mesh, laid_mesh_index(mesh, corner), a, x);
-}
-
 /* Strides by the order; the greatest fits LAID_MOST triangles into the fence only where there are no gaps. */
 static void put_strides(random_source *r, const mesh_form *form, tribox_mesh *mesh)
 {
-    const size_t bytes = number_bytes(mesh);
+    const size_t bytes = mesh_number_bytes(mesh);
     if (form->order == ROWS) {
         mesh->axis_stride = random_int(r, 2) ? 0 : bytes;
         mesh->stride = form->gap || random_int(r, 2) ? 3 * bytes + form->gap : 0;
@@ -168,13 +103,13 @@ static void lay_indices(random_source *r, const mesh_form *form, tribox_mesh *me
     mesh->indices = place(f.indices, corners * form->index_bytes, form);
     mesh->index_bytes = form->index_bytes;
     for (size_t k = 0; k < corners; k++)
-        laid_mesh_set_index(mesh, k, draw_index(r, form->pattern, k, corners, mesh->vertices));
+        mesh_set_index(mesh, k, draw_index(r, form->pattern, k, corners, mesh->vertices));
     if (corners && form->pattern == PATTERN_LAST_ONCE)
-        laid_mesh_set_index(mesh, random_below(r, corners), mesh->vertices - 1);
+        mesh_set_index(mesh, random_below(r, corners), mesh->vertices - 1);
     for (size_t k = 0; form->pattern == PATTERN_EACH && k + 1 < corners; k++) {
-        const size_t other = k + random_below(r, corners - k), swapped = laid_mesh_index(mesh, k);
-        laid_mesh_set_index(mesh, k, laid_mesh_index(mesh, other));
-        laid_mesh_set_index(mesh, other, swapped);
+        const size_t other = k + random_below(r, corners - k), swapped = mesh_index(mesh, k);
+        mesh_set_index(mesh, k, mesh_index(mesh, other));
+        mesh_set_index(mesh, other, swapped);
     }
 }
 
@@ -185,10 +120,10 @@ static void share_vertices(const tribox_mesh *mesh)
         for (size_t back = 1; back <= 8 && back <= k; back++) {
             bool is_same = true;
             for (int a = 0; a < 3; a++)
-                is_same = is_same && !memcmp(place_of(mesh, laid_mesh_index(mesh, k), a),
-                                             place_of(mesh, laid_mesh_index(mesh, k - back), a), number_bytes(mesh));
+                is_same = is_same && !memcmp(mesh_address(mesh, mesh_index(mesh, k), a),
+                                             mesh_address(mesh, mesh_index(mesh, k - back), a), mesh_number_bytes(mesh));
             if (is_same) {
-                laid_mesh_set_index(mesh, k, laid_mesh_index(mesh, k - back));
+                mesh_set_index(mesh, k, mesh_index(mesh, k - back));
                 break;
             }
         }
@@ -203,11 +138,10 @@ tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (
     put_strides(r, form, &mesh);
     if (form->index_bytes)
         lay_indices(r, form, &mesh, f);
-    const size_t bytes = vertices ? (vertices - 1) * stride_of(&mesh) + 2 * axis_stride_of(&mesh) + number_bytes(&mesh) : 0;
-    mesh.positions = place(f.positions, bytes, form);
+    mesh.positions = place(f.positions, mesh_bytes(&mesh), form);
     for (size_t k = 0; k < (is_each ? 3 * count : vertices); k++)
         for (int a = 0; a < 3; a++)
-            put_number(&mesh, is_each ? laid_mesh_index(&mesh, k) : k, a, u[k / 3 % count][turn[k % 3]][a]);
+            mesh_put(&mesh, is_each ? mesh_index(&mesh, k) : k, a, u[k / 3 % count][turn[k % 3]][a]);
     if (form->index_bytes && form->is_shared && is_each)
         share_vertices(&mesh);
     return mesh;

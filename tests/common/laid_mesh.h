@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "common/guard.h"
+#include "common/mesh_numbers.h"
 #include "common/random_draws.h"
 #include "tribox.h"
 
@@ -65,17 +66,6 @@ laid_fences laid_fences_for(uint64_t seed, size_t triangles, size_t bytes);
  */
 tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (*u)[3][3], size_t count, const int turn[3],
                          laid_fences f);
-
-/* Another number for axis a of the vertex at a corner. */
-void laid_mesh_put(const tribox_mesh *mesh, size_t corner, int a, double x);
-
-/* The number of the vertex at a corner, and a change of it. */
-size_t laid_mesh_index(const tribox_mesh *mesh, size_t corner);
-void laid_mesh_set_index(const tribox_mesh *mesh, size_t corner, size_t number);
-
-/* Axis a of the vertex at a corner, widened, or of floats as it is. */
-double laid_mesh_number(const tribox_mesh *mesh, size_t corner, int a);
-float laid_mesh_float(const tribox_mesh *mesh, size_t corner, int a);
 
 /* A mesh in one line. */
 enum { LAID_TEXT = 160 };

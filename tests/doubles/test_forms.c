@@ -157,7 +157,7 @@ static void check_local_streams(random_source *r, const tribox_mesh *mesh, const
     assert_int_equal(tribox_mesh_to_soup(mesh, from, first, count, &options, to, to + 3, to + 6), TRIBOX_OK);
     for (int s = 0; s < 9; s++) {
         for (size_t i = 0; i < count; i++) {
-            const float wanted = (float)(laid_mesh_number(mesh, 3 * (first + i) + (size_t)s % 3, s / 3) - from[s / 3]);
+            const float wanted = (float)(mesh_number(mesh, 3 * (first + i) + (size_t)s % 3, s / 3) - from[s / 3]);
             if (isnan(wanted) ? !isnan(to[s][i]) : memcmp(&wanted, &to[s][i], sizeof wanted) != 0)
                 fail_msg("%s: from %zu, stream %d is %a at %zu, not %a", doing, first, s, (double)to[s][i], i, (double)wanted);
         }
@@ -222,7 +222,7 @@ static void check_rows_of_floats(random_source *r, const tribox_mesh *mesh, int 
 {
     const size_t count = mesh->count;
     for (size_t n = 0; n < 9 * count; n++)
-        numbers[n % 9][n / 9] = laid_mesh_float(mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
+        numbers[n % 9][n / 9] = mesh_float(mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
     for (int k = 0; k < kernels; k++) {
         const size_t first = random_below(r, count + 1), part = random_below(r, count - first + 1);
         check_streams(mesh, names[k], 0, count, where);
@@ -243,7 +243,7 @@ static void check_laid(random_source *r, size_t count, const mesh_form *form)
     const tribox_mesh mesh = laid_mesh_of(r, form, (const double(*)[3][3])triangles, count, permutations[0], fences);
     size_t first_bad = 12345;
     for (size_t n = 0; n < 9 * count; n++)
-        triangles[n / 9][n / 3 % 3][n % 3] = laid_mesh_number(&mesh, n / 3, (int)(n % 3));
+        triangles[n / 9][n / 3 % 3][n % 3] = mesh_number(&mesh, n / 3, (int)(n % 3));
     assert_int_equal(tribox_mesh_bad_vertices(&mesh, &first_bad), 0);
     assert_int_equal(first_bad, 3 * count);
     for (int k = 0; k < kernels; k++) {
@@ -352,9 +352,9 @@ CASE(test_more_vertices_than_named)
         tribox_mesh mesh = laid_mesh_of(&r, &form, (const double(*)[3][3])triangles, LAID_MOST, permutations[0], fences);
         mesh.vertices = 1 << 20;
         if (form.index_bytes)
-            laid_mesh_set_index(&mesh, 3 * LAID_MOST - 1, 65535);
+            mesh_set_index(&mesh, 3 * LAID_MOST - 1, 65535);
         for (size_t k = 0; k < 9 * LAID_MOST; k++)
-            triangles[k / 9][k / 3 % 3][k % 3] = laid_mesh_number(&mesh, k / 3, (int)(k % 3));
+            triangles[k / 9][k / 3 % 3][k % 3] = mesh_number(&mesh, k / 3, (int)(k % 3));
         for (int k = 0; k < kernels; k++) {
             want(LAID_MOST, TRIBOX_EXACT, TRIBOX_AXES_ALL, names[0]);
             check_overlap(&mesh, &(tribox_options){.axes = TRIBOX_AXES_ALL, .kernel = names[k]}, AT_END);

@@ -61,37 +61,27 @@ static void draw_numbers(input *in, things *t, uint32_t number[3 * DRAWN_MAX])
 static void lay_indices(const uint32_t number[3 * DRAWN_MAX], size_t shift, things *t)
 {
     const unsigned bytes = t->mesh.index_bytes;
-    unsigned char *const indices = tight_memory(3 * t->count * bytes, shift);
+    t->mesh.indices = tight_memory(3 * t->count * bytes, shift);
     t->first_bad = 3 * t->count;
     for (size_t c = 3 * t->count; c-- > 0;) {
         const uint32_t wide = number[3 * (c / 3 / t->run % t->drawn) + c % 3];
-        const uint16_t narrow = (uint16_t)wide;
         if (bytes == 2 || bytes == 4)
-            memcpy(indices + bytes * c, bytes == 2 ? (const void *)&narrow : &wide, bytes);
+            mesh_set_index(&t->mesh, c, wide);
         if (wide >= 3 * t->drawn) {
             t->bad++;
             t->first_bad = c;
         }
     }
-    t->mesh.indices = indices;
 }
 
 /* Behind the last number there is nothing. `vertex`: all that there are, or drawn ones from which triangles are repeated. */
 static void lay_positions(const double (*vertex)[3], size_t shift, things *t)
 {
     tribox_mesh *const m = &t->mesh;
-    const size_t size = m->position_bytes == 8 ? 8 : 4, stride = m->stride ? m->stride : m->axis_stride > size ? size : 3 * size;
-    const size_t axis = m->axis_stride ? m->axis_stride : size, first[3] = {m->axes / 100, m->axes / 10 % 10, m->axes % 10};
-    unsigned char *const positions = tight_memory(m->vertices ? (m->vertices - 1) * stride + 2 * axis + size : 0, shift);
-    for (size_t v = 0; v < m->vertices; v++)
-        for (size_t a = 0; a < 3; a++) {
-            const double wide = vertex ? vertex[v][a] : things_triangle(t, v / 3)[v % 3][a];
-            const float narrow = (float)wide;
-            if (stride >= size)
-                memcpy(positions + v * stride + (m->axes ? first[a] - 1 : a) * axis, size == 8 ? (const void *)&wide : &narrow,
-                       size);
-        }
-    m->positions = positions;
+    m->positions = tight_memory(mesh_bytes(m), shift);
+    for (size_t v = 0; v < m->vertices && mesh_stride(m) >= mesh_number_bytes(m); v++)
+        for (int a = 0; a < 3; a++)
+            mesh_put(m, v, a, vertex ? vertex[v][a] : things_triangle(t, v / 3)[v % 3][a]);
 }
 
 /* 0, without gaps, with gaps, and rarely too small; or columns. */
@@ -154,14 +144,13 @@ things things_part(const things *t, size_t first, size_t count)
 {
     things part = *t;
     tribox_mesh *const m = &part.mesh;
-    const size_t size = m->position_bytes == 8 ? 8 : 4, stride = m->stride ? m->stride : m->axis_stride > size ? size : 3 * size;
     for (int k = 0; !t->is_mesh && k < 9; k++)
         (k < 3 ? part.soup.x : k < 6 ? part.soup.y : part.soup.z)[k % 3] += first;
     part.soup.count = m->count = part.count = count;
     if (m->indices)
         m->indices = (const char *)m->indices + 3 * first * m->index_bytes;
     else if (m->positions) {
-        m->positions = (const char *)m->positions + 3 * first * stride;
+        m->positions = (const char *)m->positions + 3 * first * mesh_stride(m);
         m->vertices -= 3 * first;
     }
     return part;

@@ -10,6 +10,7 @@
 #define TRIBOX_TESTS_FUZZ_THINGS_H
 
 #include "common/grid_places.h"
+#include "common/mesh_numbers.h"
 #include "common/pair_f64.h"
 #include "common/soup_or_mesh.h"
 #include "common/window_bits.h"

@@ -86,7 +86,7 @@ static double placed(size_t corner, int a)
 void stored_mesh_write(size_t first, size_t count)
 {
     for (size_t n = 9 * first; n < 9 * (first + count); n++)
-        laid_mesh_put(&stored.mesh, n / 3, (int)(n % 3), placed(n / 3, (int)(n % 3)));
+        mesh_put(&stored.mesh, mesh_index(&stored.mesh, n / 3), (int)(n % 3), placed(n / 3, (int)(n % 3)));
 }
 
 void stored_mesh_lay(random_source *r, const mesh_layout *layout)

@@ -205,7 +205,7 @@ CASE(test_unseen)
 static bool has_vertices(size_t i)
 {
     for (size_t v = 0; v < 3; v++)
-        if (laid_mesh_index(&stored.mesh, 3 * i + v) >= stored.mesh.vertices)
+        if (mesh_index(&stored.mesh, 3 * i + v) >= stored.mesh.vertices)
             return false;
     return true;
 }
@@ -245,7 +245,7 @@ CASE(test_changed)
         assert_int_equal(tribox_mesh_overlap_oriented(&stored.mesh, &turned, NULL, oriented, NULL), TRIBOX_OK);
         for (size_t lost = random_below(&r, 1 + count / 3); lost > 0; lost--) {
             const size_t corner = random_below(&r, 3 * count);
-            laid_mesh_set_index(&stored.mesh, corner, stored.mesh.vertices + random_below(&r, 3));
+            mesh_set_index(&stored.mesh, corner, stored.mesh.vertices + random_below(&r, 3));
         }
         check_lost(&(tribox_region){.box = &box}, before, &options);
         check_lost(&(tribox_region){.oriented = &turned}, oriented, &(tribox_options){.kernel = options.kernel});
@@ -268,8 +268,7 @@ CASE(test_shrunk)
         stored.mesh.vertices = random_below(&r, 2) ? random_below(&r, 3 * stored.soup.count) : 0;
         if (stored.layout.form.order != ROWS)
             continue;
-        const size_t bytes = stored.mesh.position_bytes == 8 ? 24 : 12, stride = stored.mesh.stride ? stored.mesh.stride : bytes;
-        const size_t left = stored.mesh.vertices ? (stored.mesh.vertices - 1) * stride + bytes : 0;
+        const size_t left = mesh_bytes(&stored.mesh);
         void *const kept = guarded_tail(stored.mesh_fences.positions, left);
         stored.mesh.positions = memmove(kept, stored.mesh.positions, left);
         assert_int_equal(tribox_index_overlap(&stored.index, &(tribox_region){.box = &box}, &options, NULL, &report), TRIBOX_OK);

@@ -65,7 +65,7 @@ CASE(test_meshes)
             u[n / 9][n / 3 % 3][n % 3] = random_int(&r, 50) ? (float)random_double(&r, -1, 1) : INFINITY;
         const tribox_mesh mesh = laid_mesh_of(&r, &form, (const double(*)[3][3])u, COUNT, (const int[]){0, 1, 2}, fences);
         for (size_t n = 0; n < 9 * COUNT; n++)
-            stream[n % 9][n / 9] = laid_mesh_float(&mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
+            stream[n % 9][n / 9] = mesh_float(&mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
         for (size_t first = 0; first <= COUNT; first += 1 + (size_t)random_int(&r, 9)) {
             const size_t count = (size_t)random_int_between(&r, 0, (int)(COUNT - first));
             lay_streams(count, random_int(&r, 2));

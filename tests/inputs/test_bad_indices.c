@@ -96,10 +96,10 @@ static void check_found(const tribox_mesh *mesh, size_t count, size_t first)
 /* One bad index, at `corner`. */
 static void check_corner(const tribox_mesh *mesh, size_t corner, size_t number)
 {
-    const size_t right = laid_mesh_index(mesh, corner), triangle = corner / 3;
+    const size_t right = mesh_index(mesh, corner), triangle = corner / 3;
     uint64_t wanted[LAID_MOST / 64 + 1];
     assert_int_equal(tribox_mesh_overlap(mesh, &cube, NULL, wanted, NULL), TRIBOX_OK);
-    laid_mesh_set_index(mesh, corner, number);
+    mesh_set_index(mesh, corner, number);
     check_found(mesh, 1, corner);
     for (int k = 0; k < kernels; k++) {
         check_answers_refused(mesh, names[k]);
@@ -109,7 +109,7 @@ static void check_corner(const tribox_mesh *mesh, size_t corner, size_t number)
         check_streams_made(mesh, 0, triangle, names[k]);
         check_streams_made(mesh, triangle + 1, mesh->count - triangle - 1, names[k]);
     }
-    laid_mesh_set_index(mesh, corner, right);
+    mesh_set_index(mesh, corner, right);
 }
 
 /* Numbers that are just too large, and as large as they can be; also where the sign bit of a narrower number would be. */
@@ -171,7 +171,7 @@ CASE(test_many)
             size_t count = 0, first = 0;
             for (size_t corner = 3 * mesh.count; corner-- > 0;)
                 if (random_int(&r, 4) < share) {
-                    laid_mesh_set_index(&mesh, corner, draw_bad_number(&r, &mesh));
+                    mesh_set_index(&mesh, corner, draw_bad_number(&r, &mesh));
                     count++;
                     first = corner;
                 }
@@ -323,7 +323,7 @@ CASE(test_greatest_numbers)
             float *const x[3] = {got[0], got[1], got[2]}, *const y[3] = {got[3], got[4], got[5]},
                          *const z[3] = {got[6], got[7], got[8]};
             for (size_t n = 0; n < 3 * CORNERS; n++)
-                want[n % 9][n / 9] = (float)laid_mesh_number(&mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
+                want[n % 9][n / 9] = (float)mesh_number(&mesh, n / 9 * 3 + n % 3, (int)(n % 9 / 3));
             say("tribox_mesh_to_soup", names[k], &mesh);
             assert_int_equal(tribox_mesh_to_soup(&mesh, NULL, 0, mesh.count, &(tribox_options){.kernel = names[k]}, x, y, z),
                              TRIBOX_OK);
