@@ -29,6 +29,16 @@ void guarded_read_only(guarded g, bool is_read_only)
     assert_true(!g.size || pages_allow(g.first, g.size, is_read_only ? PAGES_READ_ONLY : PAGES_OPEN));
 }
 
+void *guarded_room(guarded *g, size_t bytes)
+{
+    if (g->first && g->size < bytes)
+        guarded_free(*g);
+    if (!g->first || g->size < bytes)
+        *g = guarded_make(bytes);
+    guarded_read_only(*g, false);
+    return guarded_tail(*g, bytes);
+}
+
 static void tell(const char *fault)
 {
     pages_tell(fault);

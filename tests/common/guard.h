@@ -17,6 +17,9 @@ void guarded_free(guarded g);
 /* The place from which `bytes` end at the page after. */
 void *guarded_tail(guarded g, size_t bytes);
 
+/* The same, of pages that are kept from call to call: others are made where they are too few. They can be written. */
+void *guarded_room(guarded *g, size_t bytes);
+
 /* From now on a write faults, or no longer does. */
 void guarded_read_only(guarded g, bool is_read_only);
 

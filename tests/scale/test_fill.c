@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "common/closed_meshes.h"
+#include "common/fences.h"
 #include "common/harness.h"
 #include "common/window_bits.h"
 #include "crossing_oracle.h"
@@ -227,33 +228,26 @@ static void draw_mesh(random_source *r, fill_case *c)
 
 /* ------------------------------------------------------------------------------------------------------------------------ calls */
 
-/* The triangles as a mesh of doubles or as nine streams of floats, which end at a page that cannot be touched. */
-typedef struct fill_mesh {
-    guarded pages;
-    soup_or_mesh of;
-} fill_mesh;
-
-static fill_mesh fill_mesh_make(const fill_case *c)
+/* The triangles as a mesh of doubles or as nine streams of floats, which end at a page that cannot be touched, until the next. */
+static soup_or_mesh triangles_of(const fill_case *c)
 {
-    const size_t count = (size_t)c->at.count, bytes = count * (c->is_double ? sizeof c->at.u[0] : 9 * sizeof(float));
-    fill_mesh m = {guarded_make(bytes ? bytes : 1), {.is_mesh = c->is_double}};
-    void *const at = guarded_tail(m.pages, bytes);
-    m.of.mesh = mesh_of_corners(at, count, 8);
-    m.of.soup = soup_of_rows(at, count, count);
+    static guarded streams[9], pages;
+    const size_t count = (size_t)c->at.count, bytes = count * sizeof c->at.u[0];
+    soup_or_mesh of = {.is_mesh = c->is_double};
+    if (!streams[0].first)
+        stream_fences_make(ORACLE_TRIANGLES, streams);
     if (c->is_double)
-        memcpy(at, c->at.u, bytes);
-    for (size_t n = 0; n < 9 * count && !c->is_double; n++)
-        ((float *)at)[n] = (float)c->at.u[n % count][n / count % 3][n / count / 3];
-    return m;
+        of.mesh = mesh_of_corners(memcpy(guarded_room(&pages, bytes), c->at.u, bytes), count, 8);
+    else
+        of.soup = streams_of_triangles(streams, AT_END, (const double(*)[3][3])c->at.u, count);
+    return of;
 }
 
 static tribox_status voxelize(fill_case *c)
 {
-    const fill_mesh m = fill_mesh_make(c);
+    const soup_or_mesh of = triangles_of(c);
     memset(c->occupied, 0, sizeof c->occupied);
-    const tribox_status status = CALL(voxelize, &m.of, &c->grid, NULL, NULL, c->occupied, NULL);
-    guarded_free(m.pages);
-    return status;
+    return CALL(voxelize, &of, &c->grid, NULL, NULL, c->occupied, NULL);
 }
 
 static bool is_grid_served(fill_case *c)
@@ -450,28 +444,24 @@ static size_t take_surface(random_source *r, const tribox_window *w, bool has_wa
 static void check_filled(random_source *r, const tribox_window *w, bool is_whole, bool has_walls)
 {
     const size_t bytes = tribox_window_words(w->size) * sizeof(uint64_t), scratch_bytes = tribox_fill_bytes(w->size);
-    const guarded walls = guarded_make(bytes), solid = guarded_make(bytes), scratch = guarded_make(scratch_bytes);
-    uint64_t *const occupied = guarded_tail(walls, bytes), *const filled = guarded_tail(solid, bytes);
-    void *const room = guarded_tail(scratch, scratch_bytes);
+    static guarded walls, solid, scratch;
+    uint64_t *const occupied = guarded_room(&walls, bytes), *const filled = guarded_room(&solid, bytes);
+    void *const room = guarded_room(&scratch, scratch_bytes);
     size_t inside = SIZE_MAX, odd_rows = SIZE_MAX;
     const size_t taken = take_surface(r, w, has_walls, occupied);
     guarded_read_only(walls, true);
     memset(solid.first, 0xa5, solid.size);
     memset(scratch.first, 0x5a, scratch.size);
     cut_mesh(&drawn, w, &cut);
-    const fill_mesh mesh = fill_mesh_make(random_int(r, 2) ? &cut : &drawn);
-    assert_int_equal(is_whole ? CALL(fill_parity, &mesh.of, &drawn.grid, occupied, room, filled, &inside, &odd_rows)
-                              : CALL(fill_parity_window, &mesh.of, &drawn.grid, w, occupied, room, filled, &inside, &odd_rows),
+    const soup_or_mesh of = triangles_of(random_int(r, 2) ? &cut : &drawn);
+    assert_int_equal(is_whole ? CALL(fill_parity, &of, &drawn.grid, occupied, room, filled, &inside, &odd_rows)
+                              : CALL(fill_parity_window, &of, &drawn.grid, w, occupied, room, filled, &inside, &odd_rows),
                      TRIBOX_OK);
     const size_t set = check_cells(w, filled);
     for (size_t n = 0; n < (size_t)w->size[1] * w->size[2]; n++)
         odd_rows -= is_odd[(w->first[2] + n / w->size[1]) * drawn.at.size[1] + w->first[1] + n % w->size[1]];
     if (inside != set - taken || odd_rows)
         fail_msg("%s: %zu inside, not %zu, and %zd odd rows too many", doing, inside, set - taken, (ptrdiff_t)odd_rows);
-    guarded_free(mesh.pages);
-    guarded_free(walls);
-    guarded_free(solid);
-    guarded_free(scratch);
 }
 
 static void check_parity(random_source *r)
@@ -533,16 +523,14 @@ static void expect_along(const fill_case *c, int along)
 static size_t ask_thin(const fill_case *c, const tribox_window *window, const tribox_options *options, int before, uint64_t *words)
 {
     const size_t bytes = tribox_window_words(window ? window->size : c->grid.size) * sizeof *words;
-    const guarded pages = guarded_make(bytes ? bytes : 1);
-    uint64_t *const occupied = guarded_tail(pages, bytes);
+    static guarded pages;
+    uint64_t *const occupied = guarded_room(&pages, bytes);
     tribox_report report = {9, 9};
     memset(occupied, before, bytes);
-    const fill_mesh mesh = fill_mesh_make(c);
-    assert_int_equal(CALL(voxelize_thin, &mesh.of, &c->grid, window, options, occupied, &report), TRIBOX_OK);
+    const soup_or_mesh of = triangles_of(c);
+    assert_int_equal(CALL(voxelize_thin, &of, &c->grid, window, options, occupied, &report), TRIBOX_OK);
     assert_int_equal(report.undecided, 0);
     memcpy(words, occupied, bytes);
-    guarded_free(mesh.pages);
-    guarded_free(pages);
     return report.overlapping;
 }
 

@@ -214,22 +214,10 @@ static bool cut_walls(random_source *r)
 
 static size_t bytes_of(const part *p) { return tribox_window_words(p->size) * sizeof(uint64_t); }
 
-/* Pages for so many bytes: those that are there, from an earlier round, if they do. */
-static void *take_pages(guarded *g, size_t bytes)
-{
-    if (g->size < bytes) {
-        if (g->first)
-            guarded_free(*g);
-        *g = guarded_make(bytes);
-    }
-    return guarded_tail(*g, bytes);
-}
-
 /* With bits of any kind past the end of each row. */
 static void set_words(random_source *r, part *p)
 {
-    uint64_t *const words = take_pages(&p->words, bytes_of(p));
-    guarded_read_only(p->words, false);
+    uint64_t *const words = guarded_room(&p->words, bytes_of(p));
     p->is_empty = true;
     for (uint32_t k = 0; k < p->size[2]; k++)
         for (uint32_t j = 0; j < p->size[1]; j++)
@@ -251,11 +239,11 @@ static void label(random_source *r, part *p)
 {
     const size_t bytes = tribox_fill_labels_bytes(p->size);
     p->off = random_int(r, 2) ? (uint32_t)random_int(r, 8) : 0;
-    unsigned char *const scratch = take_pages(&p->scratch, bytes + p->off);
+    unsigned char *const scratch = guarded_room(&p->scratch, bytes + p->off);
     const int any = random_int(r, 256);
     memset(p->scratch.first, any, p->scratch.size);
     for (int face = 0; face < 6; face++)
-        p->faces[face] = take_pages(&p->face_pages[face], face_cells(p, face) * sizeof(uint32_t));
+        p->faces[face] = guarded_room(&p->face_pages[face], face_cells(p, face) * sizeof(uint32_t));
     assert_int_equal(tribox_fill_labels(p->size, words_of(p), scratch, p->faces, &p->labels), TRIBOX_OK);
     for (size_t n = 0; n < p->off; n++)
         assert_int_equal(scratch[bytes + n], any);
@@ -321,9 +309,7 @@ static size_t fill_part(part *p, uint32_t off)
 {
     static guarded moved;
     const size_t scratch_bytes = tribox_fill_labels_bytes(p->size);
-    if (moved.first)
-        guarded_read_only(moved, false);
-    void *const scratch = take_pages(&moved, scratch_bytes + off);
+    void *const scratch = guarded_room(&moved, scratch_bytes + off);
     memcpy(scratch, guarded_tail(p->scratch, scratch_bytes + p->off), scratch_bytes);
     guarded_read_only(moved, true);
     uint64_t outside[WALLS_CELLS / 64 + 1] = {0};
@@ -331,7 +317,7 @@ static size_t fill_part(part *p, uint32_t off)
     const size_t bytes = bytes_of(p);
     for (uint32_t n = 0; n < p->labels; n++)
         outside[n / 64] |= (uint64_t)(tribox_fill_root(cut.parents, p->from + n) == tribox_fill_root(cut.parents, 0)) << n % 64;
-    take_pages(&p->solid, bytes);
+    guarded_room(&p->solid, bytes);
     memset(p->solid.first, 0x5a, p->solid.size);
     assert_int_equal(tribox_fill_labelled(p->size, words_of(p), scratch, outside, guarded_tail(p->solid, bytes), &inside),
                      TRIBOX_OK);
@@ -361,11 +347,11 @@ static size_t fill_whole(random_source *r)
     set_words(r, &whole);
     const size_t bytes = bytes_of(&whole);
     const size_t scratch_bytes = tribox_fill_bytes(drawn.size), after = random_below(r, 8);
-    unsigned char *const scratch = take_pages(&whole.scratch, scratch_bytes + after);
+    unsigned char *const scratch = guarded_room(&whole.scratch, scratch_bytes + after);
     const int any = random_int(r, 256);
     size_t inside = SIZE_MAX;
     memset(whole.scratch.first, any, whole.scratch.size);
-    take_pages(&whole.solid, bytes);
+    guarded_room(&whole.solid, bytes);
     memset(whole.solid.first, random_int(r, 256), whole.solid.size);
     assert_int_equal(tribox_fill_outside(drawn.size, words_of(&whole), scratch, guarded_tail(whole.solid, bytes),
                                          random_int(r, 4) ? &inside : NULL),

@@ -79,7 +79,7 @@ static void draw_parts(random_source *r, size_t count, part *parts)
 static void count_part(const tile_case *c, size_t from, size_t to, part *p)
 {
     const size_t bytes = (to - from) * sizeof *p->places;
-    p->pages = guarded_make(bytes ? bytes : 1);
+    p->pages = guarded_make(bytes);
     p->places = guarded_tail(p->pages, bytes);
     assert_non_null(p->counted = malloc(bytes + 1));
     memset(p->places, 0xa5, bytes);
@@ -108,7 +108,7 @@ static void check_parts(random_source *r, const tile_case *c, size_t from, size_
     part parts[PARTS];
     const tile_lists whole = tile_case_lists(c, from, to);
     const size_t length = whole.starts[to - from];
-    const guarded pages = guarded_make(length ? length * sizeof(uint32_t) : 1);
+    const guarded pages = guarded_make(length * sizeof(uint32_t));
     uint32_t *const list = guarded_tail(pages, length * sizeof *list);
     draw_parts(r, c->of.count, parts);
     for (int n = 0; n < PARTS; n++)
@@ -131,46 +131,29 @@ static void check_parts(random_source *r, const tile_case *c, size_t from, size_
 
 static size_t cells_of(const uint32_t size[3]) { return (size_t)size[0] * size[1] * size[2]; }
 
-/* Any window, also one without cells. */
-static tribox_window draw_window(random_source *r, const uint32_t size[3])
-{
-    tribox_window window;
-    cells_draw_window(r, &(tribox_window){.size = {size[0], size[1], size[2]}}, size, &window);
-    window.size[random_int(r, 3)] *= random_int(r, 13) > 0;
-    return window;
-}
-
-static tribox_status list_cells(const tribox_window *window, size_t *starts, uint32_t *numbers)
+static tribox_status list_cells(const void *window, size_t *starts, uint32_t *numbers)
 {
     const soup_or_mesh of = cells_all(&in_cells.of);
     return CALL(cell_lists, &of, &in_cells.of.grid, window, &in_cells.of.options, starts, numbers);
 }
 
-/* The lists of the cells of a window, or of all, are those that tiles of one cell have, in memory that ends where it has to. */
+/* The lists of the cells of a window, or of all, are those that tiles of one cell have. */
 static void check_window(const tribox_window *window, const tile_lists *whole)
 {
     const uint32_t *const grid = in_cells.of.grid.size, *const size = window ? window->size : grid;
-    const size_t cells = cells_of(size), bytes = (cells + 1) * sizeof(size_t);
-    const guarded pages = guarded_make(bytes);
-    size_t *const starts = guarded_tail(pages, bytes);
-    memset(starts, 0xa5, bytes);
-    assert_int_equal(list_cells(window, starts, NULL), TRIBOX_OK);
-    const size_t length = starts[cells];
-    const guarded list_pages = guarded_make(length ? length * sizeof(uint32_t) : 1);
-    uint32_t *const list = guarded_tail(list_pages, length * sizeof *list);
-    assert_int_equal(list_cells(window, starts, list), TRIBOX_OK);
-    assert_true(starts[0] == 0 && starts[cells] == length);
+    const size_t cells = cells_of(size);
+    const tile_lists found = lists_asked(cells, list_cells, window);
     for (size_t at = 0; at < cells; at++) {
-        const size_t i = at % size[0], j = at / size[0] % size[1], k = at / size[0] / size[1], count = starts[at + 1] - starts[at];
+        const size_t i = at % size[0], j = at / size[0] % size[1], k = at / size[0] / size[1];
+        const size_t count = found.starts[at + 1] - found.starts[at];
         const size_t cell =
             window ? ((window->first[2] + k) * grid[1] + window->first[1] + j) * grid[0] + window->first[0] + i : at;
         if (count != whole->starts[cell + 1] - whole->starts[cell])
             fail_msg("%s: cell %zu of a window has %zu triangles, as a tile %zu", doing, cell, count,
                      whole->starts[cell + 1] - whole->starts[cell]);
-        assert_memory_equal(list + starts[at], whole->list + whole->starts[cell], count * sizeof *list);
+        assert_memory_equal(found.list + found.starts[at], whole->list + whole->starts[cell], count * sizeof *found.list);
     }
-    guarded_free(pages);
-    guarded_free(list_pages);
+    tile_lists_free(found);
 }
 
 static void check_cells(random_source *r)
@@ -181,7 +164,9 @@ static void check_cells(random_source *r)
     const tile_lists whole = tile_case_lists(&in_cells, 0, tile_case_tiles(&in_cells));
     check_window(NULL, &whole);
     for (int n = 0; n < 3; n++) {
-        const tribox_window window = draw_window(r, in_cells.of.grid.size);
+        tribox_window window;
+        cells_draw_window(r, &in_cells.of.at, in_cells.of.grid.size, &window);
+        window.size[random_int(r, 3)] *= random_int(r, 13) > 0; /* also one without cells */
         check_window(&window, &whole);
     }
     tile_lists_free(whole);

@@ -80,13 +80,6 @@ static soup_or_mesh judge_of(const tile_case *c)
     return of;
 }
 
-static tribox_status list_tiles(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list)
-{
-    const soup_or_mesh of = cells_all(&c->of);
-    const tribox_tiles tiles = {c->tile, from, to - from};
-    return CALL(tile_lists, &of, &c->of.grid, &tiles, &c->of.options, starts, list);
-}
-
 tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, size_t from, size_t to, size_t *places, uint32_t *list)
 {
     const soup_or_mesh of = cells_all(&c->of);
@@ -118,25 +111,42 @@ void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *op
     assert_int_equal(CALL(overlap, &of, &box, options, mask, NULL), TRIBOX_OK);
 }
 
-tile_lists tile_case_lists(const tile_case *c, size_t from, size_t to)
+tile_lists lists_asked(size_t count, list_call *ask, const void *of)
 {
     tile_lists l;
-    const size_t bytes = (to - from + 1) * sizeof *l.starts;
+    const size_t bytes = (count + 1) * sizeof *l.starts;
     l.starts_pages = guarded_make(bytes);
     l.starts = guarded_tail(l.starts_pages, bytes);
     memset(l.starts, 0xa5, bytes);
-    assert_int_equal(list_tiles(c, from, to, l.starts, NULL), TRIBOX_OK);
+    assert_int_equal(ask(of, l.starts, NULL), TRIBOX_OK);
     assert_int_equal(l.starts[0], 0);
-    const size_t length = l.starts[to - from];
-    l.list_pages = guarded_make(length ? length * sizeof *l.list : 1);
+    const size_t length = l.starts[count];
+    l.list_pages = guarded_make(length * sizeof *l.list);
     l.list = guarded_tail(l.list_pages, length * sizeof *l.list);
     size_t *const counted = malloc(bytes);
     assert_non_null(counted);
     memcpy(counted, l.starts, bytes);
-    assert_int_equal(list_tiles(c, from, to, l.starts, l.list), TRIBOX_OK);
+    assert_int_equal(ask(of, l.starts, l.list), TRIBOX_OK);
     assert_memory_equal(l.starts, counted, bytes);
     free(counted);
     return l;
+}
+
+typedef struct share {
+    const tile_case *c;
+    tribox_tiles tiles;
+} share;
+
+static tribox_status list_tiles(const void *of, size_t *starts, uint32_t *list)
+{
+    const share *const s = of;
+    const soup_or_mesh triangles = cells_all(&s->c->of);
+    return CALL(tile_lists, &triangles, &s->c->of.grid, &s->tiles, &s->c->of.options, starts, list);
+}
+
+tile_lists tile_case_lists(const tile_case *c, size_t from, size_t to)
+{
+    return lists_asked(to - from, list_tiles, &(share){c, {c->tile, from, to - from}});
 }
 
 void tile_lists_free(tile_lists lists)

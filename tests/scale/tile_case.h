@@ -42,13 +42,17 @@ void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint
 /* Which triangles overlap a tile's box by these options. */
 void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *options, uint64_t *mask);
 
-/* The lists of tiles from .. to - 1, in memory that ends where it has to. */
+/* So many lists as a call makes them, first the starts and then the numbers, in memory that ends where it has to. */
 typedef struct tile_lists {
     guarded starts_pages, list_pages;
     size_t *starts;
     uint32_t *list;
 } tile_lists;
-tile_lists tile_case_lists(const tile_case *c, size_t from, size_t to);
+typedef tribox_status list_call(const void *of, size_t *starts, uint32_t *list);
+tile_lists lists_asked(size_t count, list_call *ask, const void *of);
 void tile_lists_free(tile_lists lists);
+
+/* Those of tiles from .. to - 1. */
+tile_lists tile_case_lists(const tile_case *c, size_t from, size_t to);
 
 #endif

@@ -188,13 +188,8 @@ static size_t add(const cells_case *c, cells_form in, size_t first, size_t count
     const soup_or_mesh of = part_in_form(c, in, first, count);
     const size_t words = cells_words(c), bytes = words * sizeof *occupied;
     tribox_report report = {SIZE_MAX, SIZE_MAX};
-    if (pages.size < bytes || !pages.first) {
-        if (pages.first)
-            guarded_free(pages);
-        pages = guarded_make(bytes ? bytes : 1);
-    }
-    turn++;
-    uint64_t *const to = turn % 2 ? guarded_tail(pages, bytes) : (void *)pages.first;
+    uint64_t *to = guarded_room(&pages, bytes);
+    to = ++turn % 2 ? to : (void *)pages.first;
     memcpy(to, occupied, bytes);
     tell(c, first, count);
     const bool is_whole = turn % 3 && !memcmp(c->at.first, (uint32_t[3]){0}, sizeof c->at.first) &&

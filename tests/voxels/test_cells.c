@@ -159,8 +159,8 @@ static void check_ids(void)
 {
     const size_t cells = window_cells(), bytes = cells * sizeof(uint32_t);
     static uint32_t had[CELLS_MAX];
-    const guarded g = guarded_make(bytes + 1);
-    uint32_t *const ids = guarded_tail(g, bytes), last = UINT32_MAX - (uint32_t)drawn.count;
+    static guarded pages;
+    uint32_t *const ids = guarded_room(&pages, bytes), last = UINT32_MAX - (uint32_t)drawn.count;
     const uint32_t first = random_int(&r, 2) ? 0 : random_int(&r, 2) ? last : (uint32_t)random_below(&r, last);
     const int kind = random_int(&r, 4);
     const size_t middle = random_below(&r, drawn.count + 1), cut[] = {0, middle, drawn.count}, from = random_below(&r, 2);
@@ -187,7 +187,6 @@ static void check_ids(void)
                      (unsigned)ids[n], (unsigned)id, (unsigned)first);
     }
     assert_int_equal(set, bits_set(all, cells_words(&drawn)));
-    guarded_free(g);
 }
 
 /* By EXACT in any form; or at any accuracy the lowest of those that have the cell alone. */
@@ -370,9 +369,8 @@ static void check_bricks(size_t tile, tribox_accuracy accuracy, unsigned axes)
     const tribox_sink sink = {take, occupied};
     size_t starts[2];
     uint32_t list[CELLS_TRIANGLES];
-    const size_t bytes = tribox_bricks_bytes(TILE);
-    const guarded g = guarded_make(bytes);
-    void *const scratch = guarded_tail(g, bytes);
+    static guarded pages;
+    void *const scratch = guarded_room(&pages, tribox_bricks_bytes(TILE));
     tribox_report report;
     choose(accuracy, axes, random_int(&r, kernels));
     snprintf(doing, sizeof doing, "bricks of %s", drawn.scene);
@@ -380,7 +378,6 @@ static void check_bricks(size_t tile, tribox_accuracy accuracy, unsigned axes)
     assert_int_equal(CALL(tile_lists, &of, &drawn.grid, &share, &drawn.options, starts, NULL), TRIBOX_OK);
     assert_int_equal(CALL(tile_lists, &of, &drawn.grid, &share, &drawn.options, starts, list), TRIBOX_OK);
     assert_int_equal(CALL(bricks, &of, &drawn.grid, &share, starts, list, &drawn.options, scratch, &sink, &report), TRIBOX_OK);
-    guarded_free(g);
     assert_int_equal(report.overlapping, bits_set(occupied, cells_words(&drawn)));
     cells_check(&drawn, 0, drawn.count, all, occupied);
 }
