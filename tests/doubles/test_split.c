@@ -141,21 +141,30 @@ static void check_forms(random_source *r, const tribox_box *box, const double (*
     }
 }
 
-CASE(test_floats)
+/* The scenes of floats, now and then with numbers that are not finite, then those of doubles. */
+CASE(test_scenes)
 {
-    for (size_t i = 0; i < scene_count(); i++) {
-        random_source r = random_named(args.seed, scene_at(i)->name);
+    static scene_batch narrow;
+    static batch_f64 batch;
+    const size_t floats = scene_count();
+    for (size_t i = 0; i < floats + scene_f64_count(); i++) {
+        const scene *const of_floats = i < floats ? scene_at(i) : NULL;
+        const char *const name = of_floats ? of_floats->name : scene_f64_at(i - floats)->name;
+        random_source r = random_named(args.seed, name);
         for (int round = 0; round < (arguments_are_short(&args) ? 2 : 12); round++) {
-            static scene_batch batch;
-            static double u[SCENE_TRIANGLES][3][3];
-            scene_draw_batch(scene_at(i), &r, &batch);
-            snprintf(doing, sizeof doing, "%s, seed %llu, round %d", scene_at(i)->name, (unsigned long long)args.seed, round);
-            for (int k = 0; k < 9 * SCENE_TRIANGLES; k++)
-                u[k / 9][k / 3 % 3][k % 3] = batch.u[k / 9][k / 3 % 3][k % 3];
-            for (int k = 0; k < 9 && round % 4 == 3; k++) /* some that are not finite */
-                u[7 * k][k / 3][k % 3] = k % 2 ? NAN : k % 4 ? INFINITY : -INFINITY;
-            check_forms(&r, &batch.box, (const double(*)[3][3])u, 1 + random_below(&r, SCENE_TRIANGLES), true,
-                        strcmp(scene_at(i)->family, "range") && strcmp(scene_at(i)->family, "scales"));
+            if (of_floats) {
+                scene_draw_batch(of_floats, &r, &narrow);
+                batch.box = narrow.box;
+                for (int k = 0; k < 9 * SCENE_TRIANGLES; k++)
+                    batch.u[k / 9][k / 3 % 3][k % 3] = narrow.u[k / 9][k / 3 % 3][k % 3];
+                for (int k = 0; k < 9 && round % 4 == 3; k++)
+                    batch.u[7 * k][k / 3][k % 3] = k % 2 ? NAN : k % 4 ? INFINITY : -INFINITY;
+            } else
+                scene_f64_at(i - floats)->draw(&r, &batch);
+            snprintf(doing, sizeof doing, "%s of %s, seed %" PRIu64 ", round %d", name, of_floats ? "floats" : "doubles", args.seed,
+                     round);
+            check_forms(&r, &batch.box, (const double(*)[3][3])batch.u, 1 + random_below(&r, BATCH_F64), of_floats,
+                        of_floats && strcmp(of_floats->family, "range") && strcmp(of_floats->family, "scales"));
         }
     }
 }
@@ -188,20 +197,6 @@ CASE(test_grazing)
             }
         }
         check_forms(&r, &box, (const double(*)[3][3])u, TRIANGLES, true, round % 4);
-    }
-}
-
-CASE(test_doubles)
-{
-    for (size_t i = 0; i < scene_f64_count(); i++) {
-        random_source r = random_named(args.seed, scene_f64_at(i)->name);
-        for (int round = 0; round < (arguments_are_short(&args) ? 2 : 12); round++) {
-            static batch_f64 batch;
-            scene_f64_at(i)->draw(&r, &batch);
-            snprintf(doing, sizeof doing, "doubles %s, seed %llu, round %d", scene_f64_at(i)->name, (unsigned long long)args.seed,
-                     round);
-            check_forms(&r, &batch.box, (const double(*)[3][3])batch.u, 1 + random_below(&r, BATCH_F64), false, false);
-        }
     }
 }
 
@@ -248,4 +243,4 @@ static int set_up(void)
     return 0;
 }
 
-PROGRAM_AFTER(set_up, RUN(test_floats), RUN(test_doubles), RUN(test_grazing), RUN(test_middles))
+PROGRAM_AFTER(set_up, RUN(test_scenes), RUN(test_grazing), RUN(test_middles))

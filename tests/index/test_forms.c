@@ -141,26 +141,6 @@ CASE(test_bytes)
     }
 }
 
-/* Numbers change; updates of their range write the bytes of a build. */
-CASE(test_updates)
-{
-    random_source r = random_named(args.seed, "updates");
-    for (int round = 0; round < 40; round++) {
-        const size_t count = 1 + random_below(&r, round % 4 ? 1000 : 3 * TRIBOX_INDEX_BLOCK);
-        draw_mesh(&r, soup_kind_at((size_t)round % soup_kind_count()), count);
-        for (int n = 0; n < 3; n++) {
-            const size_t first = random_below(&r, count), changed = 1 + random_below(&r, count - first);
-            for (size_t i = first; i < first + changed; i++)
-                for (int k = 0; k < STORED_STREAMS; k++)
-                    stored.stream[k][i] = random_int(&r, 50) ? (float)random_int_between(&r, -100, 100) : INFINITY;
-            stored_mesh_write(first, changed);
-            const tribox_options options = {.kernel = names[random_int(&r, kernels)]};
-            assert_int_equal(tribox_index_update(&stored.index, first, changed, &options, stored.nodes), TRIBOX_OK);
-            expect_same_bytes(&stored.index, names[n % kernels], "an update");
-        }
-    }
-}
-
 /* Triangles of 4 units about 500 units apart, word by word, wherever they are. */
 static void draw_words(random_source *r)
 {
@@ -357,5 +337,5 @@ CASE(test_boxes_without_lists)
         }
 }
 
-PROGRAM_AFTER(make_all, RUN(test_hostile), RUN(test_scenes), RUN(test_levels), RUN(test_bytes), RUN(test_updates), RUN(test_unseen),
-              RUN(test_changed), RUN(test_shrunk), RUN(test_bounds), RUN(test_thin_boxes), RUN(test_boxes_without_lists))
+PROGRAM_AFTER(make_all, RUN(test_hostile), RUN(test_scenes), RUN(test_levels), RUN(test_bytes), RUN(test_unseen), RUN(test_changed),
+              RUN(test_shrunk), RUN(test_bounds), RUN(test_thin_boxes), RUN(test_boxes_without_lists))

@@ -17,13 +17,14 @@ static int make_all(void)
 {
     stored_make(COUNT_MAX);
     fence = guarded_make(tribox_index_bytes(COUNT_MAX) + STORED_SHIFTS);
-    stored_mesh_make(MANY);
+    stored_mesh_make(COUNT_MAX);
     return 0;
 }
 
 static tribox_options any_kernel(random_source *r) { return (tribox_options){.kernel = names[random_int(r, kernels)]}; }
 
-static void draw(random_source *r, size_t count) { draw_stored(r, soup_kind_at(random_below(r, soup_kind_count())), count); }
+/* A soup or a mesh. */
+static void draw(random_source *r, size_t count) { draw_stored_form(r, soup_kind_at(random_below(r, soup_kind_count())), count); }
 
 /* Other triangles in a range: finite ones, and some that are not. */
 static void change(random_source *r, size_t first, size_t count)
@@ -34,6 +35,8 @@ static void change(random_source *r, size_t first, size_t count)
         if (random_int(r, 50) == 0)
             spoil_triangle(r, i);
     }
+    if (stored.index.mesh)
+        stored_mesh_write(first, count);
 }
 
 /* A copy of the index as it is now, to be updated. */

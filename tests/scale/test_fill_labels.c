@@ -100,13 +100,18 @@ static void draw_labyrinth(random_source *r, walls *w)
     }
 }
 
+static bool is_border(const walls *w, uint32_t i, uint32_t j, uint32_t k)
+{
+    return !i || !j || !k || i + 1 == w->size[0] || j + 1 == w->size[1] || k + 1 == w->size[2];
+}
+
 /* A block whose border is a wall, with corridors or noise in it. */
 static void close_border(walls *w)
 {
     for (uint32_t k = 0; k < w->size[2]; k++)
         for (uint32_t j = 0; j < w->size[1]; j++)
             for (uint32_t i = 0; i < w->size[0]; i++)
-                if (i == 0 || j == 0 || k == 0 || i + 1 == w->size[0] || j + 1 == w->size[1] || k + 1 == w->size[2])
+                if (is_border(w, i, j, k))
                     w->is_wall[walls_at(w, i, j, k)] = 1;
 }
 
@@ -138,13 +143,11 @@ static size_t walls_search(const walls *w, unsigned char is_reached[WALLS_CELLS]
     memset(is_reached, 0, WALLS_CELLS);
     for (uint32_t k = 0; k < w->size[2]; k++)
         for (uint32_t j = 0; j < w->size[1]; j++)
-            for (uint32_t i = 0; i < w->size[0]; i++) {
-                const bool is_border = !i || !j || !k || i + 1 == w->size[0] || j + 1 == w->size[1] || k + 1 == w->size[2];
-                if (is_border && !w->is_wall[walls_at(w, i, j, k)]) {
+            for (uint32_t i = 0; i < w->size[0]; i++)
+                if (is_border(w, i, j, k) && !w->is_wall[walls_at(w, i, j, k)]) {
                     is_reached[walls_at(w, i, j, k)] = 1;
                     memcpy(queue[tail++], (uint32_t[3]){i, j, k}, sizeof queue[0]);
                 }
-            }
     for (; head < tail; head++)
         for (int side = 0; side < 6; side++) {
             uint32_t to[3];
