@@ -1,6 +1,7 @@
 #include "fences.h"
 
 #include "common/harness.h"
+#include "common/window_bits.h"
 
 /* Far enough to be no neighbour: a fence may be large, and is looked at very often. */
 enum { NEIGHBOURS = 1024 };
@@ -41,6 +42,13 @@ void assert_nothing_beside(const fenced *place)
 }
 
 void assert_nothing_written(const fenced *place) { assert_poisoned(lower_end(place), upper_end(place)); }
+
+void assert_report(const tribox_report *report, const uint64_t *mask, size_t count, tribox_accuracy accuracy)
+{
+    const size_t set = bits_set(mask, tribox_mask_words(count));
+    if (report->overlapping != set || report->undecided > (accuracy == TRIBOX_FAST ? 0 : count))
+        fail_msg("%s: reports %zu of %zu, %zu undecided", doing, report->overlapping, set, report->undecided);
+}
 
 void stream_fences_make(size_t most, guarded fence[9])
 {

@@ -25,6 +25,9 @@ void assert_nothing_beside(const fenced *place);
 /* The same, and in the place as well. */
 void assert_nothing_written(const fenced *place);
 
+/* Fails, with what the test is doing, if a report is not that of a mask; FAST leaves nothing undecided. */
+void assert_report(const tribox_report *report, const uint64_t *mask, size_t count, tribox_accuracy accuracy);
+
 /* Fences for the nine streams of a soup, by axis, then by vertex, each with room for so many floats and for a shift. */
 enum { STREAM_SHIFTS = 16 };
 void stream_fences_make(size_t most, guarded fence[9]);

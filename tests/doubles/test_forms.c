@@ -89,9 +89,7 @@ static void expect_mask(const fenced *got, const uint64_t *wanted, const char *w
 
 static void expect_report(const fenced *report, size_t count)
 {
-    const tribox_report *const got = (const tribox_report *)(const void *)report->at;
-    if (got->overlapping != bits_set(wanted_mask, tribox_mask_words(count)) || got->undecided > count)
-        fail_msg("%s: reports %zu, %zu undecided", doing, got->overlapping, got->undecided);
+    assert_report((const tribox_report *)(const void *)report->at, wanted_mask, count, TRIBOX_EXACT);
     assert_nothing_beside(report);
 }
 

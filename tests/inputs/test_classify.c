@@ -97,9 +97,8 @@ static void check(const pair_list *q, const tribox_options *options)
             assert_masks_equal(q, options, within, words_of(&inside));
             assert_nothing_beside(&inside);
         }
-        if (wanted & 4 && (report.overlapping != bits_set(overlapping, tribox_mask_words(q->count)) ||
-                           report.undecided > (options->accuracy == TRIBOX_FAST ? 0 : q->count)))
-            fail_msg("%s: reports %zu, %zu undecided", doing, report.overlapping, report.undecided);
+        if (wanted & 4)
+            assert_report(&report, overlapping, q->count, options->accuracy);
     }
 }
 

@@ -114,10 +114,7 @@ static const uint64_t *ask(const tribox_options *options)
     for (int i = batch.count; i < 64 * WORDS; i++)
         if (bit_at(got, i))
             fail_at(i, false);
-    if (report.overlapping != bits_set(got, WORDS))
-        fail_msg("%s: reports %zu of %zu", doing, report.overlapping, bits_set(got, WORDS));
-    if (report.undecided > (options->accuracy == TRIBOX_FAST ? 0 : (size_t)batch.count))
-        fail_msg("%s: reports %zu undecided", doing, report.undecided);
+    assert_report(&report, got, (size_t)batch.count, options->accuracy);
     tribox_report alone;
     assert_int_equal(CALL(overlap_oriented, &of, &batch.box, options, NULL, &alone), TRIBOX_OK);
     assert_memory_equal(&alone, &report, sizeof alone);

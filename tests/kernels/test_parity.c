@@ -1,6 +1,7 @@
 /* test_parity.c - kernels, orders and accuracies agree where they have to: EXACT everywhere, FAST among equal roundings. */
 #include <math.h>
 
+#include "common/fences.h"
 #include "common/harness.h"
 #include "drawn_pairs.h"
 
@@ -18,8 +19,7 @@ static void ask(const pair_list *q, const tribox_options *options, uint64_t *mas
     tribox_report report;
     pair_list_text(q, options, doing);
     ask_ok(q, options, mask, &report);
-    assert_int_equal(report.overlapping, bits_set(mask, tribox_mask_words(q->count)));
-    assert_true(report.undecided <= (options->accuracy == TRIBOX_FAST ? 0 : q->count));
+    assert_report(&report, mask, q->count, options->accuracy);
 }
 
 static void ask_kernels(const pair_list *q, unsigned axes, answers *got)
