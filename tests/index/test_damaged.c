@@ -20,11 +20,7 @@ static void check_all(random_source *r)
         check_damaged(&(tribox_region){.box = &box}, &options, "damaged");
         if (!is_lattice)
             continue;
-        tribox_oriented_box oriented = {.axis = {{1, 0.25f, 0}, {-0.25f, 1, 0}, {0, 0, 1}}};
-        for (int a = 0; a < 3; a++) {
-            oriented.center[a] = (float)box.lo[a] / 2 + (float)box.hi[a] / 2;
-            oriented.half[a] = (float)box.hi[a] / 2 - (float)box.lo[a] / 2;
-        }
+        const tribox_oriented_box oriented = draw_oriented(r, &box);
         options.axes = 0;
         options.accuracy = TRIBOX_FAST;
         check_damaged(&(tribox_region){.oriented = &oriented}, &options, "damaged");
