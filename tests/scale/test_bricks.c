@@ -163,21 +163,22 @@ static size_t bytes_of(brick_kind kind, size_t from, size_t to, const tile_lists
 }
 
 /*
- * As many bricks of a share as there are or `most`; returns how many. Scratch is at an odd place, had anything, and has nothing
- * behind it. The sink runs in the environment of the caller.
+ * As many bricks of a share as there are or `most`; returns how many. Scratch had anything, and ends at a page or some bytes before
+ * one; nothing is written behind it. The sink runs in the environment of the caller.
  */
 static size_t take_share(random_source *r, brick_kind kind, size_t from, size_t to, const tile_lists *lists, list_book book,
                          size_t most)
 {
-    const size_t offset = (size_t)random_int(r, 64), bytes = bytes_of(kind, from, to, lists) + offset;
+    static guarded pages;
+    const size_t bytes = bytes_of(kind, from, to, lists), behind = random_int(r, 2) ? (size_t)random_int(r, 64) : 0;
     const any_sink sinks[BRICK_KINDS] = {{.bits = {take_bits, &book}}, {.ids = {take_ids, &book}}, {.lists = {take_lists, &book}}};
-    const guarded g = guarded_make(bytes);
-    void *const scratch = guarded_tail(g, bytes - offset);
+    unsigned char *const scratch = guarded_room(&pages, bytes + behind);
     const unsigned normal = environment_get(), set = setting((unsigned)random_int(r, SETTINGS));
     const soup_or_mesh of = cells_all(&drawn.of);
     tribox_report report;
     if (drawn.tile < LARGE)
-        memset(scratch, random_int(r, 2) ? 0 : 0xff, bytes - offset);
+        memset(scratch, random_int(r, 2) ? 0 : 0xff, bytes);
+    memset(scratch + bytes, 0xa5, behind);
     book.book = open_book(&drawn, occupied);
     book.book.most = most;
     book.book.environment = set;
@@ -189,7 +190,8 @@ static size_t take_share(random_source *r, brick_kind kind, size_t from, size_t 
     assert_int_equal(left, set);
     assert_int_equal(status, book.book.bricks >= most ? TRIBOX_STOPPED : TRIBOX_OK);
     assert_int_equal(report.overlapping, book.book.cells);
-    guarded_free(g);
+    for (size_t n = 0; n < behind; n++)
+        assert_int_equal(scratch[bytes + n], 0xa5);
     return book.book.bricks;
 }
 
