@@ -42,7 +42,7 @@ except tribox.InputError as error:
 else:
     raise AssertionError
 """
-KEPT = "PATH", "HOME", "LANG", "TMPDIR"  # of the environment; what helps the tests of the build tree would hide faults here
+KEPT = "PATH", "HOME", "LANG", "TMPDIR", "CCACHE_DIR"  # of the environment; what helps tests of the build tree hides faults
 sys.path.insert(0, os.path.join(ROOT, "python"))
 
 from making.library import VERSION  # noqa: E402
@@ -50,7 +50,8 @@ from making.library import VERSION  # noqa: E402
 
 def environment(**more):
     kept = {name: os.environ[name] for name in KEPT if name in os.environ}
-    return {**kept, "CFLAGS": "-O0", "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PYTHONDONTWRITEBYTECODE": "1", **more}
+    cached = {"CC": "ccache cc"} if shutil.which("ccache") else {}  # it is built twice
+    return {**kept, **cached, "CFLAGS": "-O0", "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PYTHONDONTWRITEBYTECODE": "1", **more}
 
 
 def run(*command, **keywords):
