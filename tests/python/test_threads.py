@@ -108,7 +108,7 @@ class Sharing(cases.TestCase):
             for accuracy in "conservative", "fast":
                 for form in cases.forms(self.triangles):
                     self.ask_threads(form, cases.GRIDS["floats"], accuracy=accuracy)
-                    self.ask_threads(tribox.Soup.of(self.triangles[:1]), cases.GRIDS["floats"], accuracy=accuracy)
+                self.ask_threads(tribox.Soup.of(self.triangles[:1]), cases.GRIDS["floats"], accuracy=accuracy)
             self.ask_threads(np.zeros((0, 3, 3), np.float32), cases.GRIDS["floats"])
             self.ask_threads(tribox.Mesh(np.zeros((0, 3)), np.zeros((0, 3), int)), cases.GRIDS["floats"])
             self.ask_threads(self.triangles, cases.GRIDS["floats"], axes=tribox.AXES_PLANE)
