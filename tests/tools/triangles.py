@@ -52,10 +52,6 @@ def overlapping(triangles, box):
     return finite[touching(v, box[None, :3], box[None, 3:])].tolist()
 
 
-def overlaps(triangle, box):
-    return bool(overlapping([triangle], box))
-
-
 def inside(triangles, box):
     t = np.array(triangles, float).reshape(-1, 3, 3)
     return np.flatnonzero(((t >= box[:3]) & (t <= box[3:])).all((1, 2))).tolist()
