@@ -168,7 +168,7 @@ static void ask_pairs(const round_of_scene *round, const tribox_options *options
  */
 static void ask_meshes(const round_of_scene *round, const tribox_options *options, digest *to)
 {
-    static float positions[3 * SCENE_TRIANGLES][4];
+    static float positions[12 * SCENE_TRIANGLES];
     uint16_t narrow[3 * SCENE_TRIANGLES];
     uint32_t wide[3 * SCENE_TRIANGLES];
     const size_t count = round->soup.count, corners = 3 * count;
@@ -178,7 +178,7 @@ static void ask_meshes(const round_of_scene *round, const tribox_options *option
                 const size_t number = index_bytes ? corners - 1 - corner : corner;
                 const float at[3] = {round->soup.x[corner % 3][corner / 3], round->soup.y[corner % 3][corner / 3],
                                      round->soup.z[corner % 3][corner / 3]};
-                memcpy(positions[0] + (size_t)floats * number, at, sizeof at);
+                memcpy(positions + (size_t)floats * number, at, sizeof at);
                 wide[corner] = narrow[corner] = (uint16_t)number;
             }
             const tribox_mesh mesh = {.positions = positions,
