@@ -163,7 +163,7 @@ static int answer_mesh(const request *r)
         return message_usage("--out: '%s' is no name that ends in .npz", r->out_path);
     int code = file_out_check(&names, "mesh", &r->mesh_path, 1);
     if (!code)
-        code = mesh_read_over(r->mesh_path, TRIANGLES_OTHER, false, processors_here(), NULL, &m);
+        code = mesh_read_over(&(mesh_request){.path = r->mesh_path, .threads = processors_here()}, &m);
     if (code)
         return code;
     code = tell_mesh(r, &names, &m);

@@ -253,7 +253,7 @@ static int answer(void *asked, const options_found *found)
     (void)found;
     if (!r->mesh_path)
         return message_usage("no mesh file given");
-    int code = mesh_read_shifted(r->mesh_path, TRIANGLES_OTHER, &r->shift, processors_here(), NULL, &m);
+    int code = mesh_read_shifted(&(mesh_request){.path = r->mesh_path, .threads = processors_here()}, &r->shift, &m);
     if (code)
         return code;
     code = mesh_to_floats(r->mesh_path, (const double[3]){0, 0, 0}, &m);

@@ -163,7 +163,8 @@ static int answer_mesh(const request *r, crop_files *files)
 {
     mesh m;
     request own = *r; /* its shift is found from the mesh */
-    int code = mesh_read_shifted(r->mesh_path, r->format, &own.shift, r->threads, NULL, &m);
+    const mesh_request from = {.path = r->mesh_path, .format = r->format, .threads = r->threads};
+    int code = mesh_read_shifted(&from, &own.shift, &m);
     if (code)
         return code;
     mesh_warn(triangle_file_name(r->mesh_path), &m);

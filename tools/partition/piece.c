@@ -233,7 +233,7 @@ static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned t
         mesh_warn(p->path, &(mesh){.miscut = (size_t)p->ply.miscut});
         return EXIT_CODE_OK;
     }
-    code = mesh_read_over(p->path, format, is_wide, threads, NULL, &p->whole);
+    code = mesh_read_over(&(mesh_request){.path = p->path, .format = format, .is_wide = is_wide, .threads = threads}, &p->whole);
     if (code)
         return code;
     p->triangles = p->whole.triangles;

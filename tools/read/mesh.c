@@ -100,20 +100,24 @@ bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t ch
     return is_read;
 }
 
-int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh_overflow *over, mesh *m)
+int mesh_read_over(const mesh_request *r, mesh *m)
 {
+    const char *const path = r->path;
     triangle_file file;
     *m = (mesh){.coordinates = NULL};
-    int code = triangle_file_open(path, format, &file);
-    const mesh_kind kind = triangle_format_kind(format);
+    int code = triangle_file_open(path, r->format, &file);
+    const mesh_kind kind = triangle_format_kind(r->format);
     if (!code && file.stream) {
-        code = mesh_read_triangles(&file, threads, over, m);
+        code = mesh_read_triangles(&file, r->threads, r->over, m);
     } else if (!code) {
         const bool may_be_plain = strcmp(path, "-") && (kind == MESH_OTHER || kind == mesh_kind_of(path));
-        if (!may_be_plain || !mesh_read_plain(path, is_wide, threads, PLAIN_CHUNK_BYTES, m))
-            code = mesh_read_slowly(path, kind, is_wide, threads, m);
+        if (!may_be_plain || !mesh_read_plain(path, r->is_wide, r->threads, PLAIN_CHUNK_BYTES, m))
+            code = mesh_read_slowly(path, kind, r->is_wide, r->threads, m);
     }
     triangle_file_close(&file);
+    if (!code && !m->triangles && !r->may_be_empty && !(r->over && r->over->is_used))
+        code = message_failure("%s: contains no triangles (points or lines at most); give a mesh with faces",
+                               triangle_file_name(path));
     if (code)
         mesh_free(m);
     return code;
@@ -121,7 +125,7 @@ int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsig
 
 int mesh_read(const char *path, mesh *m)
 {
-    int code = mesh_read_over(path, TRIANGLES_OTHER, false, 1, NULL, m);
+    int code = mesh_read_over(&(mesh_request){.path = path, .threads = 1}, m);
     if (code)
         return code;
     code = mesh_to_floats(path, (const double[3]){0, 0, 0}, m);

@@ -68,15 +68,22 @@ typedef struct mesh_overflow {
     bool is_used; /* all of them went there, and the mesh has none */
 } mesh_overflow;
 
+/* Which file is read, and how. */
+typedef struct mesh_request {
+    const char *path;       /* "-" is stdin */
+    triangle_format format; /* in place of the name, also of a stream, for which the memory grows */
+    bool is_wide;           /* numbers of a text stay doubles even where floats would do */
+    bool may_be_empty;      /* or a file without a triangle is a failure */
+    unsigned threads;       /* that work on it, 1 to THREADS_MAX; the mesh is the same for any number */
+    mesh_overflow *over;    /* NULL for none; only a stream of triangles uses it */
+} mesh_request;
+
 /*
  * Reads a mesh file: PLY, OFF, OBJ, STL and raw triangles here, others by libassimp. Coordinates are those of the file, bit for bit
  * where it holds floats or doubles, otherwise the nearest. libassimp may be an ulp of float off, and applies the transforms of
- * scenes. format: in place of the name, also of a stream, for which the memory grows; "-" is stdin.
- * threads: that work on it, 1 to THREADS_MAX; the mesh is the same for any number. Returns an exit_code; a file without a triangle
- * is a failure. On success mesh_free gives the memory back.
- * is_wide: numbers of a text stay doubles even where floats would do. over: NULL for none; only a stream of triangles uses it.
+ * scenes. Returns an exit_code; on success mesh_free gives the memory back.
  */
-int mesh_read_over(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh_overflow *over, mesh *m);
+int mesh_read_over(const mesh_request *r, mesh *m);
 
 /* mesh_read_over, by its name and one thread, as floats in any case. */
 int mesh_read(const char *path, mesh *m);
@@ -84,11 +91,8 @@ int mesh_read(const char *path, mesh *m);
 /* Makes a mesh of doubles one of floats, rounded once after the origin is subtracted. Returns an exit_code. */
 int mesh_to_floats(const char *path, const double origin[3], mesh *m);
 
-/* Makes room for triangles as floats. None are a failure if not welcome. Returns an exit_code; path: NULL to say nothing. */
+/* Makes room for triangles as floats. Returns an exit_code; path: NULL to say nothing, and to fail for none. */
 int mesh_make_room(const char *path, uint64_t count, mesh *m);
-
-/* From now on a mesh without triangles may be read. */
-void mesh_welcome_empty(void);
 
 void mesh_drop_floats(mesh *m);
 void mesh_drop_corners(mesh *m);
@@ -175,10 +179,11 @@ typedef struct mesh_shift {
 int mesh_shift_read(const char *text, mesh_shift *shift);
 
 /*
- * mesh_read_over, and subtracts the shift from all positions, in double; the mesh is one of floats where float holds these.
+ * mesh_read_over, wide if the shift is wanted, which is subtracted from all positions, in double; the mesh is one of floats where
+ * float holds these.
  * auto: round numbers near the lower corner of the mesh, in units of a power of ten that its longest side does not exceed.
  */
-int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh_overflow *over, mesh *m);
+int mesh_read_shifted(const mesh_request *r, mesh_shift *shift, mesh *m);
 
 /* What auto chooses for a mesh of these bounds. */
 void mesh_shift_choose(const tribox_box *bounds, double by[3]);

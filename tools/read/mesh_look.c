@@ -32,21 +32,16 @@ static void point_streams(float *coordinates, size_t capacity, mesh *m)
     }
 }
 
-static bool is_empty_welcome;
-
-void mesh_welcome_empty(void) { is_empty_welcome = true; }
-
 int mesh_make_room(const char *path, uint64_t count, mesh *m)
 {
-    if (!count && path && is_empty_welcome)
-        return EXIT_CODE_OK;
-    float *const coordinates = count && count <= SIZE_MAX / TRIANGLE_BYTES ? pages_take((size_t)count * TRIANGLE_BYTES) : NULL;
+    if (!count)
+        return path ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+    float *const coordinates = count <= SIZE_MAX / TRIANGLE_BYTES ? pages_take((size_t)count * TRIANGLE_BYTES) : NULL;
     if (coordinates)
         point_streams(coordinates, (size_t)count, m);
     if (coordinates || !path)
         return coordinates ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
-    return count ? message_failure("%s: out of memory for %" PRIu64 " triangles" MESH_TO_SORT, path, count)
-                 : message_failure("%s: contains no triangles (points or lines at most); give a mesh with faces", path);
+    return message_failure("%s: out of memory for %" PRIu64 " triangles" MESH_TO_SORT, path, count);
 }
 
 void mesh_drop_floats(mesh *m)

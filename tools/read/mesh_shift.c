@@ -58,17 +58,19 @@ static int subtract(const char *path, const double by[3], mesh *m)
     return are_floats ? mesh_to_floats(path, (const double[3]){0, 0, 0}, m) : EXIT_CODE_OK;
 }
 
-int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh_overflow *over, mesh *m)
+int mesh_read_shifted(const mesh_request *r, mesh_shift *shift, mesh *m)
 {
-    int code = mesh_read_over(path, format, shift->is_wanted, threads, over, m);
-    if (code || !shift->is_wanted || (over && over->is_used))
+    mesh_request own = *r;
+    own.is_wide = shift->is_wanted;
+    int code = mesh_read_over(&own, m);
+    if (code || !shift->is_wanted || (r->over && r->over->is_used))
         return code;
     if (shift->is_auto)
         mesh_shift_choose(&m->bounds, shift->by);
-    code = subtract(path, shift->by, m);
+    code = subtract(r->path, shift->by, m);
     if (code)
         mesh_free(m);
     else
-        mesh_look_all(NULL, threads, m);
+        mesh_look_all(NULL, r->threads, m);
     return code;
 }

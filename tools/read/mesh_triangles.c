@@ -55,8 +55,8 @@ static int make_room(const triangle_file *file, mesh *m)
         has_room = !mesh_make_room(count ? NULL : file->name, count, m);
         m->triangles = m->soup.count = (size_t)count;
     }
-    if (has_room || !count)
-        return !has_room;
+    if (has_room)
+        return EXIT_CODE_OK;
     return message_failure("%s: out of memory for %" PRIu64 " triangles; to voxelize it, sort it first: tribox partition %s -o "
                            "NAME.tiles, with the same grid",
                            file->name, count, file->name);
@@ -166,7 +166,7 @@ static int read_stream(triangle_file *file, unsigned threads, mesh_overflow *ove
     }
     free(block);
     if (!code && !(over && over->is_used))
-        code = all.count ? make_mesh(file->name, &all, threads, m) : message_failure("%s: contains no triangles", file->name);
+        code = make_mesh(file->name, &all, threads, m);
     free(all.bytes);
     return code;
 }

@@ -293,11 +293,14 @@ static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
     mesh_shift shift = r->from.shift;
     sorted_place place;
     mesh_overflow over = overflow_into(r, &place);
-    if (grid_is_fixed(&r->from.choice))
-        mesh_welcome_empty();
+    const mesh_request from = {.path = r->from.mesh_path,
+                               .format = r->from.format,
+                               .may_be_empty = grid_is_fixed(&r->from.choice),
+                               .threads = r->threads,
+                               .over = voxelize_can_sort(r) ? &over : NULL};
     int code = find_whether_due(r, &over.is_used);
     if (!code && !over.is_used)
-        code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, voxelize_can_sort(r) ? &over : NULL, &m);
+        code = mesh_read_shifted(&from, &shift, &m);
     if (!code && over.is_used) {
         code = work_sorted(r, &place, a);
     } else if (!code) {
