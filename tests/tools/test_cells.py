@@ -64,15 +64,20 @@ class Answers(Voxels):
 
     def test_empty(self):
         """What is cut where nothing overlaps has no cells, in a grid that is given; there is none around it."""
+        grid = grid_of("1", "0,0,0", "3,4,5")
         for name, data in (("mesh.ply", meshes.ply_of(LATTICE)), ("text.ply", meshes.FORMATS["ascii.ply"](LATTICE)),
-                           ("mesh.off", meshes.off(LATTICE)), ("mesh.stl", meshes.stl_binary(LATTICE))):
-            cut = self.path("cut" + name)
-            self.succeed("overlap", self.write(name, data), "--box", "80,80,80,90,90,90", "-o", cut, note=".*: has no face")
-            self.fail_with(1, ".*: contains no triangles", "voxelize", cut, "--cell", "1", "--size", "3,4,5", "--count")
+                           ("mesh.off", meshes.off(LATTICE)), ("mesh.stl", meshes.stl_binary(LATTICE)),
+                           ("mesh.f32", meshes.pack_floats(LATTICE)), ("mesh.f64", meshes.pack_floats(LATTICE, "<f8"))):
+            cut, box = self.path("cut" + name), ("--box", "80,80,80,90,90,90")
+            self.succeed("overlap", self.write(name, data), *box, "-o", cut, note=".*: has no face")
+            for command, *words in (("voxelize", "--cell", "1", "--size", "3,4,5", "--count"), ("overlap", *box), ("info",),
+                                    ("overlap", "--boxes", "-"), ("partition", *grid, "-o", self.path("x.tiles"))):
+                self.fail_with(1, ".*: contains no triangles", command, cut, *words)
             for ending, options in itertools.product((".npy", ".npz"), ((), ("--fill", "outside"), ("--shift", "auto"))):
-                path, found = self.voxelize(cut, *grid_of("1", "0,0,0", "3,4,5"), *options, ending=ending)
-                self.assertEqual((found["triangles"], found["occupied"], found["ns_per_triangle"]), (0, 0, None))
-                self.assertFalse(readers.read(path, (3, 4, 5))[0].any())
+                for mesh, stdin in (((cut,), b""), (("-", "--format", name[-3:]), read(cut))):
+                    path, found = self.voxelize(*mesh, *grid, *options, ending=ending, stdin=stdin)
+                    self.assertEqual((found["triangles"], found["occupied"], found["ns_per_triangle"]), (0, 0, None))
+                    self.assertFalse(readers.read(path, (3, 4, 5))[0].any())
 
     def test_grids(self):
         """Every format, against separating axes in whole numbers."""

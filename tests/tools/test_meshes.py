@@ -238,7 +238,7 @@ def with_word(text, start, word):
 
 # What is no mesh: the name of the file, what is in it and what is said.
 BAD = [
-    *(("empty" + ending, "", "the file is empty") for ending in (".obj", ".ply", ".off", ".stl", ".f32", "")),
+    *(("empty" + ending, "", "the file is empty") for ending in (".obj", ".ply", ".off", ".stl", "")),
     *((name, "hello\n", "not a (mesh that libassimp can read, or a damaged one|file of .ply, .off, .stl, .obj, .f32 or .f64)")
       for name in ("notes.txt", "notes.gltf", "no_ending")),
     *(("mesh" + name, gzip.compress(PLY.encode()), "is compressed; give it as in 'zcat FILE | tribox COMMAND - --format ply'")
@@ -250,7 +250,8 @@ BAD = [
     *((name, bytes(range(256)) * 40, ".") for name in ("bytes.ply", "bytes.stl", "bytes.obj", "bytes.off", "bytes.glb")),
     *(("points.obj", OBJ + more, "contains no triangles .points or lines at most.; give a mesh with faces")
       for more in ("", "l 1 2\n", "p 1 2\n")),
-    ("points.ply", ply_text(VERTICES, ""), "contains no triangles"), ("none.stl", bytes(84), "contains no triangles"),
+    ("points.ply", ply_text(VERTICES, ""), "contains no triangles"),
+    *((name, content, "contains no triangles") for name, content in (("none.stl", bytes(84)), ("none.f32", ""), ("none.f64", ""))),
     *(("far.ply", ply_text(VERTICES, "3 0 1 2\n3 0 1 %s\n" % n), "damaged: face 1 refers to vertex")
       for n in ("3", "-1", "2147483647", "2147483648", *GIGANTIC)),
     ("far.ply", ply_text(VERTICES, "3 0 1 2\n3 0 1 3\n"), "damaged: face 1 refers to vertex 3, the mesh has 3"),

@@ -126,7 +126,7 @@ static bool lay_out(struct ply_faces *f)
     ply_layout *const in = &f->in;
     ply_header *const header = malloc(sizeof *header);
     const whole_file file = {f->map.bytes, f->map.size}; /* of which the header's reader looks at no more than it has */
-    const bool is_read = header && !ply_header_read(NULL, &file, header) && header->format != PLY_ASCII &&
+    const bool is_read = header && file.size && !ply_header_read(NULL, &file, header) && header->format != PLY_ASCII &&
                          header->element_count == 2 && ply_layout_of(header, f->map.size, in);
     free(header);
     if (!is_read || !is_corner[in->corner] || (in->number != PLY_FLOAT && in->number != PLY_DOUBLE))

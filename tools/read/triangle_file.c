@@ -68,7 +68,7 @@ static int open_stream(const char *path, triangle_file *file)
         return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
     file->is_sized = about.kind == FILE_KIND_REGULAR;
     file->size = file->is_sized ? about.size : UINT64_MAX;
-    return file->size ? EXIT_CODE_OK : message_failure("%s: the file is empty", path);
+    return EXIT_CODE_OK;
 }
 
 /* Text is left to the readers of text, unless --format says that the file is binary. */
