@@ -4,7 +4,9 @@ import io
 import itertools
 import json
 import os
+import re
 import resource
+import shutil
 import struct
 import zipfile
 
@@ -472,6 +474,11 @@ class Partitions(Voxels):
             there = self.partition(other, *options)[2]
             for command in (("partition", "-o", x), ("voxelize", "--shard", "1/2", "-o", x + ".npz")):
                 self.refuse_partition(1, "do not fit together: they differ in the " + differing, *command, here, there)
+        there, copied = self.partition(other, *GRID)[2], shutil.copytree(here, self.path("copied"))
+        for again in (here, os.path.join(here, "..", os.path.basename(here)), copied):
+            for command in (("partition", "-o", x), ("voxelize", "--count")):
+                self.refuse_partition(1, "tiles1 and %s are the same partition; give it once" % re.escape(again), *command, here,
+                                      there, again)
         for code, why, *words in (
                 (2, "is a partition and .* is a mesh: give meshes alone or partitions alone", "partition", here, self.mesh, "-o", x,
                  *GRID),

@@ -237,6 +237,15 @@ static int check_pair(const partition_piece *a, const partition_piece *b)
                                         a->path, b->path, differing);
 }
 
+/* A checksum is of all that a partition holds, so that a copy has it too. */
+static int check_once(const partition_piece *pieces, size_t last)
+{
+    for (size_t i = 0; i < last; i++)
+        if (pieces[i].header.checksum == pieces[last].header.checksum)
+            return message_failure("%s and %s are the same partition; give it once", pieces[i].path, pieces[last].path);
+    return EXIT_CODE_OK;
+}
+
 int partition_check_numbers(const char *name, uint64_t triangles)
 {
     return triangles <= INT32_MAX
@@ -252,7 +261,7 @@ static int join_headers(partition *p)
     *all = p->pieces[0].header;
     for (size_t i = 1; i < p->count; i++) {
         const partition_header *const one = &p->pieces[i].header;
-        if (check_pair(&p->pieces[0], &p->pieces[i]))
+        if (check_pair(&p->pieces[0], &p->pieces[i]) || check_once(p->pieces, i))
             return EXIT_CODE_FAILURE;
         mesh_sums_add(&all->sums, &one->sums, all->triangles);
         all->triangles += one->triangles;
