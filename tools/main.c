@@ -53,10 +53,14 @@ static int run_command(int count, char **words)
         }
     if (!strcmp(words[0], "-V") || !strcmp(words[0], "version"))
         return message_usage("'%s' is written --version", words[0]);
-    if (words[0][0] == '-')
-        return message_usage("unknown option '%s'", words[0]);
     char text[GUESS_TEXT];
-    guess g = guess_at(words[0], strlen(words[0]));
+    const size_t dashes = strspn(words[0], "-");
+    guess g = guess_at(words[0] + dashes, strlen(words[0] + dashes));
+    if (dashes) {
+        guess_try(&g, "help", 4);
+        guess_try(&g, "version", 7);
+        return message_usage("unknown option '%s'%s", words[0], guess_text(&g, "--", text));
+    }
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
         guess_try(&g, commands[i].name, strlen(commands[i].name));
     return message_usage("'%s' is not a command%s", words[0], guess_text(&g, "", text));

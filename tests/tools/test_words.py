@@ -102,7 +102,7 @@ WRONG = {
         *((r"--fill: '%s' is none of .* \(did you mean '%s'\?\);" % words, *CELL, "--fill", words[0])
           for words in (("pa", "parity"), ("partiy", "parity"), ("Outside", "outside"), ("midle", "middles"))),
         *((r"unknown option '%s' \(did you mean '--%s'\?\);" % words, *CELL, words[0]) for words in (
-            ("--colr", "colours"), ("--tihn=1", "thin"), ("--resolutoin", "resolution"), ("--quit", "quiet"))),
+            ("--colr", "colours"), ("--tihn=1", "thin"), ("--resolutoin", "resolution"), ("--quit", "quiet"), ("--hlep", "help"))),
         ("unknown option '--brightness';", *CELL, "--brightness"),
         ("option --colours is given twice", *CELL, "--colors", "--colours"), ("option --colours takes no v", *CELL, "--color=1"),
         *(("%s needs all cells at once: leave out --shard" % option, *V, "--shard", "1/2", option, *word)
@@ -231,6 +231,8 @@ class Wrong(harness.TestCase):
     def test_program(self):
         for pattern, *words in (("no command given; see 'tribox --help'",), ("'overlay' is not a command", "overlay"),
                                 ("unknown option '--quick';", "--quick", "demo"),
+                                *((r"unknown option '%s' \(did you mean '--%s'\?\);" % words, words[0]) for words in (
+                                    ("--verison", "version"), ("-v", "version"), ("-version", "version"), ("--hlep", "help"))),
                                 (r"'voxelise' is not a command \(did you mean 'voxelize'\?\);", "voxelise"),
                                 (r"'part' is not a command \(did you mean 'partition'\?\);", "part"),
                                 *(("'%s' is written --version; " % word, word) for word in ("-V", "version")),

@@ -84,6 +84,7 @@ static int refuse_long(const option_entry *table, const char *word)
     if (count_beginning(table, word) > 1)
         return message_usage("option '%s' is ambiguous; write more of it", word);
     guess g = guess_at(word + 2, strcspn(word + 2, "="));
+    guess_try(&g, "help", 4);
     for (int i = 0; table[i].name; i++)
         guess_try(&g, table[i].name, strlen(table[i].name));
     return message_usage("unknown option '%s'%s", word, guess_text(&g, "--", text));
