@@ -181,10 +181,8 @@ static int merge(const merge_request *r, part *parts, size_t count)
         code = read_colours(&m, parts);
     if (!code)
         code = result_take_words(&r->result, &m.cells.grid, fewer, fewer, &m.words);
-    if (!code) {
-        interrupt_advise("nothing was written, the parts stay good; run it again");
+    if (!code)
         code = write_files(&m, parts, count);
-    }
     free(m.words);
     cell_colours_free(&m.colours);
     uint64_t occupied = 0;
@@ -199,6 +197,7 @@ static int merge_parts(const merge_request *r)
     part *parts = malloc(r->count * sizeof *parts);
     if (!parts)
         return message_failure("out of memory for %zu parts", r->count);
+    interrupt_advise("nothing was written, the parts stay good; run it again");
     for (size_t i = 0; i < r->count && !code; i++)
         code = part_open(&parts[i], r->parts[i]);
     if (!code)

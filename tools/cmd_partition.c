@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "console/clock.h"
+#include "console/interrupt.h"
 #include "console/system.h"
 #include "console/message.h"
 #include "console/numbers.h"
@@ -72,6 +73,7 @@ static int partition_work(const partition_request *r)
 {
     partition_answer a = {.r = r};
     const double start = clock_seconds();
+    interrupt_advise("nothing was written; run it again");
     const int code = partition_make(&a);
     a.seconds = clock_seconds() - start;
     return code ? code : report(&a);

@@ -273,6 +273,21 @@ class Signals(Files):
         self.end(signal.SIGTERM, 1, again + "shard 2 of 3 again, parts that are there stay good", "voxelize", many,
                  *grid_of("0.001", "-2,-2,-2", "4000,4000,4000"), "-q", "--shard", "2/3", "-o", shard)
 
+    def test_while_it_reads(self):
+        """Before there is any file. What has been read of the pipe is more than it holds."""
+        again = "nothing was written; run "
+        for said, command, *words in ((again + "it again", "voxelize", "-o", self.path("x.npy")),
+                                      (again + "shard 2 of 3 again, .*", "voxelize", "--shard", "2/3", "-o", self.path("x.npz")),
+                                      ("the output is not whole; run it again", "voxelize", "--out-format", "npy", "-o", "-"),
+                                      (again + "it again", "partition", "-o", self.path("tiles"))):
+            process = harness.start(command, "-", "--format", "f32", "-r", "9", "-q", *words, stdin=subprocess.PIPE,
+                                    preexec_fn=lambda: signal.signal(signal.SIGTERM, signal.SIG_DFL))
+            process.stdin.write(bytes(36 << 15))
+            process.send_signal(signal.SIGTERM)
+            error = process.communicate(timeout=60)[1].decode()
+            self.assertEqual(process.returncode, -signal.SIGTERM)
+            self.assert_one_line(error, "^tribox %s: interrupted: %s$" % (command, said))
+
     def test_ignored(self):
         """As nohup has it, and a shell what it puts in the background: that ends nothing."""
         there, ends = self.there(), (signal.SIGHUP, signal.SIGINT)

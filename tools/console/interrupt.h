@@ -16,7 +16,7 @@ void interrupt_release(void);
 /* Does the same at once, of any thread and in a handler too, says this line, and ends the program as after a failure. */
 _Noreturn void interrupt_fail(const char *line);
 
-/* What the line says after "interrupted: "; by default that nothing was written. */
+/* What the line says after "interrupted: ", also where nothing is watched yet; by default that nothing was written. */
 void interrupt_advise(const char *advice);
 
 #endif

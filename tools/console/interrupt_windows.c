@@ -92,4 +92,8 @@ void interrupt_watch(const char *path) { replace(NULL, path); }
 
 void interrupt_forget(const char *path) { replace(path, NULL); }
 
-void interrupt_advise(const char *advice) { message_line(line, sizeof line, "interrupted: ", advice); }
+void interrupt_advise(const char *advice)
+{
+    message_line(line, sizeof line, "interrupted: ", advice);
+    start();
+}

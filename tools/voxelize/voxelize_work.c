@@ -71,21 +71,9 @@ static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_
     return takes_whole(r, in) ? voxelize_whole(r, in, files, a) : voxelize_by_tiles(r, in, files, a);
 }
 
-/* What a run that is interrupted says. */
-static void advise(const voxelize_request *r)
-{
-    char advice[128];
-    if (!r->has_shard)
-        return;
-    snprintf(advice, sizeof advice, "nothing was written; run shard %u of %u again, parts that are there stay good", r->shard,
-             r->shards);
-    interrupt_advise(advice);
-}
-
 static int open_files(const voxelize_request *r, const voxelize_input *in, voxelize_answer *a)
 {
     voxelize_files files = {.out = {.path = NULL}};
-    advise(r);
     int code = file_out_open(&files.out, r->result.out_path);
     if (!code)
         code = file_out_open(&files.picture, r->result.preview_path);
@@ -312,10 +300,22 @@ static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
     return code;
 }
 
+/* What a run that is interrupted says, while it reads and sorts, too. */
+static void advise(const voxelize_request *r)
+{
+    char advice[128] = "nothing was written; run it again";
+    if (r->has_shard)
+        snprintf(advice, sizeof advice, "nothing was written; run shard %u of %u again, parts that are there stay good", r->shard,
+                 r->shards);
+    interrupt_advise(r->result.out_path && file_out_is_stdout(r->result.out_path) ? "the output is not whole; run it again"
+                                                                                  : advice);
+}
+
 int voxelize_work(const voxelize_request *r)
 {
     voxelize_answer a = {.r = r};
     const double start = clock_seconds();
+    advise(r);
     if (r->result.format && r->result.format->writer->begin)
         r->result.format->writer->begin();
     const int code = partition_is_folder(r->from.mesh_path) ? work_on_partition(r, r->paths, r->count, &a) : work_on_mesh(r, &a);

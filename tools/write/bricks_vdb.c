@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "colours/colours.h"
-#include "console/interrupt.h"
 #include "console/message.h"
 #include "files/files.h"
 #include "vdb_filter.h"
@@ -90,9 +89,7 @@ static int start(const char *path)
     posix_spawn_file_actions_adddup2(&actions, to[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, from[1], STDERR_FILENO);
     new_file_fail_quietly(true); /* here where it has ended, and there, which inherits it */
-    interrupt_hold();            /* from here on who interrupts it hears a line */
     const int reason = posix_spawn(&filter.child, path, &actions, NULL, words, environ);
-    interrupt_release();
     filter.child = reason ? 0 : filter.child;
     posix_spawn_file_actions_destroy(&actions);
     close(to[0]);
