@@ -13,7 +13,6 @@
 #include "colours/colours.h"
 #include "console/interrupt.h"
 #include "console/message.h"
-#include "console/numbers.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "console/system.h"
@@ -221,16 +220,12 @@ static const char help[] =
     "Example:\n"
     "  tribox merge big.*.npz -o big.npz\n";
 
-enum { OPTION_THREADS = RESULT_END };
+static const option_entry options[] = {
+    RESULT_ENTRIES(merge_request), {"threads", 't', OPTION_COUNTS_THREADS(merge_request, threads)}, {NULL, 0, false}};
 
-static const option_entry options[] = {RESULT_ENTRIES(merge_request), [OPTION_THREADS] = {"threads", 't', true}, {NULL, 0, false}};
-
-static int take(void *context, int which, const char *value)
+static int take(void *request, int which, const char *value)
 {
-    merge_request *const r = context;
-    if (which == OPTION_THREADS)
-        return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
-    return which == OPTION_OPERAND ? EXIT_CODE_OK : result_take(&r->result, which, value);
+    return which == OPTION_OPERAND ? EXIT_CODE_OK : result_take(&((merge_request *)request)->result, which, value);
 }
 
 static int answer(void *request, const options_found *found)

@@ -50,17 +50,7 @@ static const char help[] =
     "  generate-boxes | tribox overlap bunny.ply --boxes - --json\n"
     "  generate-triangles | tribox overlap - --format f32 --box 0,0,0,1,1,1\n";
 
-enum {
-    OPTION_BOX,
-    OPTION_ORIENTED,
-    OPTION_SHIFT,
-    OPTION_FORMAT,
-    OPTION_ACCURACY,
-    OPTION_KERNEL,
-    OPTION_ORDER,
-    OPTION_AXES,
-    OPTION_THREADS
-};
+enum { OPTION_BOX, OPTION_ORIENTED, OPTION_SHIFT, OPTION_FORMAT, OPTION_ACCURACY, OPTION_KERNEL, OPTION_ORDER, OPTION_AXES };
 
 static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
                                        [OPTION_ORIENTED] = {"oriented", 0, true},
@@ -70,7 +60,7 @@ static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
                                        [OPTION_KERNEL] = {"kernel", 0, true},
                                        [OPTION_ORDER] = {"order", 0, true},
                                        [OPTION_AXES] = {"axes", 0, true},
-                                       [OPTION_THREADS] = {"threads", 't', true},
+                                       {"threads", 't', OPTION_COUNTS_THREADS(request, threads)},
                                        {"boxes", 0, OPTION_NAMES(request, boxes_path)},
                                        {"inside", 0, OPTION_SETS(request, wants_inside)},
                                        {"list", 'l', OPTION_SETS(request, wants_list)},
@@ -112,8 +102,6 @@ static int take(void *context, int which, const char *value)
         return triangle_format_read(value, &r->format);
     case OPTION_SHIFT:
         return mesh_shift_read(value, &r->shift);
-    case OPTION_THREADS:
-        return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     default:
         return options_read_test(options[which].name, value, &r->test);
     }

@@ -102,11 +102,11 @@ static const char help[] = "tribox partition - sort the triangles of a mesh into
                            "  parallel tribox voxelize big.tiles --shard {}/64 -o big.{}.npz ::: $(seq 64)\n"
                            "  tribox merge big.*.npz -o big.npz\n";
 
-enum { OPTION_MEMORY = GRID_END, OPTION_THREADS };
+enum { OPTION_MEMORY = GRID_END };
 
 static const option_entry options[] = {GRID_ENTRIES(0),
                                        [OPTION_MEMORY] = {"memory", 'm', true},
-                                       [OPTION_THREADS] = {"threads", 't', true},
+                                       {"threads", 't', OPTION_COUNTS_THREADS(partition_request, threads)},
                                        {"out", 'o', OPTION_NAMES(partition_request, out_path)},
                                        {"ids", 0, OPTION_SETS(partition_request, has_ids)},
                                        {"json", 'j', OPTION_SETS(partition_request, wants_json)},
@@ -116,29 +116,18 @@ static const option_entry options[] = {GRID_ENTRIES(0),
 static int take(void *request, int which, const char *value)
 {
     partition_request *const r = request;
-    switch (which) {
-    case OPTION_OPERAND:
-        return EXIT_CODE_OK;
-    case OPTION_MEMORY:
-        return numbers_read_memory(value, &r->memory);
-    case OPTION_THREADS:
-        return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
-    default:
-        return grid_take(&r->from, which, value);
-    }
+    return which == OPTION_OPERAND  ? EXIT_CODE_OK
+           : which == OPTION_MEMORY ? numbers_read_memory(value, &r->memory)
+                                    : grid_take(&r->from, which, value);
 }
 
 /* Partitions have their grid. */
 static int check_partitions(const partition_request *r, const options_found *found)
 {
-    for (int which = 0; which < GRID_END; which++)
-        if (options_has(found, which))
-            return message_usage(
-                "%s is a folder, so a partition, which has its grid: leave out --%s; or give meshes by their names",
-                r->from.mesh_path, options[which].name);
-    if (r->has_ids)
+    const int code = grid_refuse(&r->from, found, options, 0);
+    if (!code && r->has_ids)
         return message_usage("%s is a folder, so a partition, which has ids or has none: leave out --ids", r->from.mesh_path);
-    return EXIT_CODE_OK;
+    return code;
 }
 
 static int check_input(const partition_request *r, const options_found *found)

@@ -55,7 +55,6 @@ enum {
     OPTION_COLOURS,
     OPTION_IDS,
     OPTION_MEMORY,
-    OPTION_THREADS,
     OPTION_SHARD,
     OPTION_ACCURACY,
     OPTION_AXES,
@@ -72,11 +71,11 @@ static const option_entry options[] = {RESULT_ENTRIES(voxelize_request),
                                        [OPTION_COLOURS] = {"colours", 0, OPTION_SETS(voxelize_request, has_colours)},
                                        [OPTION_IDS] = {"ids", 0, OPTION_SETS(voxelize_request, result.options.has_ids)},
                                        [OPTION_MEMORY] = {"memory", 'm', true},
-                                       [OPTION_THREADS] = {"threads", 't', true},
                                        [OPTION_SHARD] = {"shard", 0, true},
                                        [OPTION_ACCURACY] = {"accuracy", 0, true},
                                        [OPTION_AXES] = {"axes", 0, true},
                                        [OPTION_KERNEL] = {"kernel", 0, true},
+                                       {"threads", 't', OPTION_COUNTS_THREADS(voxelize_request, threads)},
                                        {NULL, 0, false}};
 
 static int read_shard(const char *text, uint32_t *shard, uint32_t *shards)
@@ -119,8 +118,6 @@ static int take(void *request, int which, const char *value)
         return EXIT_CODE_OK;
     case OPTION_MEMORY:
         return numbers_read_memory(value, &r->memory);
-    case OPTION_THREADS:
-        return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     case OPTION_SHARD:
         r->has_shard = true;
         return read_shard(value, &r->shard, &r->shards);
@@ -134,11 +131,8 @@ static int take(void *request, int which, const char *value)
 /* A partition has its grid and its mesh, and lists of all axes. */
 static int check_partition(const voxelize_request *r, const options_found *found)
 {
-    for (int which = OPTION_GRID; which < OPTION_GRID + GRID_END; which++)
-        if (options_has(found, which))
-            return message_usage(
-                "%s is a folder, so a partition, which has its grid: leave out --%s; or give meshes by their names",
-                r->from.mesh_path, options[which].name);
+    if (grid_refuse(&r->from, found, options, OPTION_GRID))
+        return EXIT_CODE_USAGE;
     if (options_has(found, OPTION_MEMORY))
         return message_usage("%s is a partition, which is sorted: leave out --memory", r->from.mesh_path);
     if (r->test.axes && r->test.axes != TRIBOX_AXES_ALL)

@@ -7,6 +7,8 @@
 
 #include "known_word.h"
 #include "message.h"
+#include "numbers.h"
+#include "system.h"
 
 static bool has_value(const option_entry *entry) { return entry->takes % 2; }
 
@@ -116,10 +118,13 @@ static bool is_option(const option_entry *table, const char *word)
 /* Into the request by the table, or as the command takes it. */
 static int take_option(const option_entry *table, int i, option_taker *take, void *request)
 {
-    if (table[i].takes <= true)
+    const size_t takes = table[i].takes, kind = takes % OPTION_KINDS;
+    if (takes <= true)
         return take(request, i, optarg);
-    void *const member = (char *)request + table[i].takes / 2 - 1;
-    if (has_value(&table[i]))
+    void *const member = (char *)request + takes / OPTION_KINDS - 1;
+    if (kind == OPTION_IS_THREADS)
+        return numbers_read_whole(optarg, "--threads", THREADS_MAX, member);
+    if (kind == OPTION_IS_NAME)
         *(const char **)member = optarg;
     else
         *(bool *)member = true;

@@ -13,9 +13,11 @@ typedef struct option_entry {
     size_t takes;     /* false or true: whether it has a value, for option_taker; or one of what follows */
 } option_entry;
 
-/* A member of the request that the option sets, a bool, or that its value goes to, a const char *. */
-#define OPTION_SETS(request, member) (2 * (offsetof(request, member) + 1))
-#define OPTION_NAMES(request, member) (OPTION_SETS(request, member) + true)
+/* A member of the request that the option sets, a bool; or that its value goes to: a const char *, or a uint32_t of threads. */
+enum { OPTION_IS_FLAG, OPTION_IS_NAME, OPTION_IS_THREADS = 3, OPTION_KINDS };
+#define OPTION_SETS(request, member) (OPTION_KINDS * (offsetof(request, member) + 1))
+#define OPTION_NAMES(request, member) (OPTION_SETS(request, member) + OPTION_IS_NAME)
+#define OPTION_COUNTS_THREADS(request, member) (OPTION_SETS(request, member) + OPTION_IS_THREADS)
 
 enum { OPTION_OPERAND = -1 };
 

@@ -58,6 +58,16 @@ int grid_check(const grid_request *r, const options_found *found, int from)
     return EXIT_CODE_OK;
 }
 
+int grid_refuse(const grid_request *r, const options_found *found, const option_entry *table, int from)
+{
+    for (int which = from; which < from + GRID_END; which++)
+        if (options_has(found, which))
+            return message_usage(
+                "%s is a folder, so a partition, which has its grid: leave out --%s; or give meshes by their names", r->mesh_path,
+                table[which].name);
+    return EXIT_CODE_OK;
+}
+
 /* ------------------------------------------------------------------------------------------------------------------------ grid */
 
 /* Of an axis. */

@@ -46,6 +46,9 @@ int grid_take(grid_request *r, int which, const char *value);
 /* Checks that a mesh and one grid are given; from: where the options begin in the table. Returns an exit_code. */
 int grid_check(const grid_request *r, const options_found *found, int from);
 
+/* Refuses these options for a partition, which has its grid. Returns an exit_code. */
+int grid_refuse(const grid_request *r, const options_found *found, const option_entry *table, int from);
+
 /* Makes the grid around these bounds, not looked at where the grid is fixed. path: that of the mesh. Returns an exit_code. */
 int grid_choose_around(const grid_choice *choice, const char *path, const tribox_box *bounds, tribox_grid *grid);
 
