@@ -144,7 +144,8 @@ static void *take_spare(steps_crew *c)
 
 static void *make_place(steps_crew *c)
 {
-    void *const place = c->work->begin ? c->work->begin(c->data) : c->data;
+    const crew_work *const w = c->work;
+    void *const place = w->begin ? w->begin(c->data) : w->place_bytes ? malloc(w->place_bytes) : c->data;
     if (place)
         c->places[c->made++] = place;
     else
@@ -228,7 +229,7 @@ static void do_steps(void *data)
     steps_crew *const c = data;
     void *place;
     for (size_t n; begin_step(c, &place, &n);)
-        end_step(c, place, n, c->work->step(c->data, place, n));
+        end_step(c, place, n, c->work->step ? c->work->step(c->data, place, n) : 0);
 }
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
@@ -250,7 +251,8 @@ int crew_do(const crew_work *work, void *data)
     pthread_cond_destroy(&c.has_changed);
     pthread_mutex_destroy(&c.state);
     pthread_mutex_destroy(&c.finding);
-    for (size_t n = 0; n < c.made && work->end; n++)
-        work->end(c.places[n]);
+    void (*const end)(void *) = work->place_bytes ? free : work->end;
+    for (size_t n = 0; n < c.made && end; n++)
+        end(c.places[n]);
     return c.code;
 }

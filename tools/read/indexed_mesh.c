@@ -221,12 +221,6 @@ typedef struct cutting {
 
 static size_t triangles_of(uint32_t size) { return size > 2 ? size - 2 : 0; }
 
-static void *make_block(void *data)
-{
-    (void)data;
-    return malloc(sizeof(face_block));
-}
-
 static bool find_block(void *data, void *place, size_t n)
 {
     enum { MOST = 2048 };
@@ -280,7 +274,7 @@ bool indexed_mesh_cut(unsigned threads, indexed_mesh *m)
     page_list cut = {.of = NULL};
     cutting c = {.m = m, .triangles = others ? page_list_add(3 * triangles, sizeof *c.triangles, &cut) : NULL};
     const crew_work work = {
-        .threads = threads, .begin = make_block, .end = free, .find = find_block, .step = cut_block, .tell = tell_block};
+        .threads = threads, .place_bytes = sizeof(face_block), .find = find_block, .step = cut_block, .tell = tell_block};
     if (!others)
         return true;
     const bool is_cut = c.triangles && !crew_do(&work, &c);

@@ -330,12 +330,6 @@ static bool find_block(void *data, void *place, size_t n)
     return is_left && !r->code;
 }
 
-static int keep_block(void *data, void *place, size_t n)
-{
-    (void)data, (void)place, (void)n;
-    return EXIT_CODE_OK;
-}
-
 static int take_block(void *data, void *place, size_t n)
 {
     const reading *const r = data;
@@ -347,12 +341,6 @@ static int take_block(void *data, void *place, size_t n)
     return code;
 }
 
-static void *make_block(void *data)
-{
-    (void)data;
-    return malloc(sizeof(block));
-}
-
 static int read_bricks(reading *r, FILE *file, unsigned threads)
 {
     unsigned char header[NPY_HEADER];
@@ -360,10 +348,8 @@ static int read_bricks(reading *r, FILE *file, unsigned threads)
     const crew_work work = {.threads = threads < 2 ? threads : 2,
                             .each = 2,
                             .is_told_in_order = true,
-                            .begin = make_block,
-                            .end = free,
+                            .place_bytes = sizeof(block),
                             .find = find_block,
-                            .step = keep_block,
                             .tell = take_block};
     for (int a = 0; a < arrays; a++) {
         if (!zip_reader_open(&r->from[a], file, &r->p->arrays[a]))
