@@ -1,6 +1,5 @@
 /* overlap_stream.c - threads read a block of triangles each, test it, list it in its turn and forget it. */
 #define _POSIX_C_SOURCE 200809L
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,27 +65,6 @@ static int unpack_block(const triangle_file *file, block *b)
     return triangle_file_unpack(file, &b->read, b->streams, t->is_double ? b->positions : NULL);
 }
 
-static bool is_finite_triangle(const double *numbers)
-{
-    bool is_finite = true;
-    for (int k = 0; k < 9; k++)
-        is_finite &= isfinite(numbers[k]) != 0;
-    return is_finite;
-}
-
-static size_t find_not_finite(const block *b, size_t *first)
-{
-    size_t count = 0;
-    if (!b->triangles.is_double)
-        return tribox_soup_not_finite(&b->triangles.soup, first);
-    for (size_t t = b->triangles.count; t > 0; t--)
-        if (!is_finite_triangle(b->positions + 9 * (t - 1))) {
-            count++;
-            *first = t - 1;
-        }
-    return count;
-}
-
 /* Blocks are whole words. */
 static void keep_bits(const masks *all, uint64_t first, const block *b)
 {
@@ -117,7 +95,8 @@ static int ask_block(void *data, void *place, size_t n)
     if (!code)
         code = overlap_ask(s->r, &b->triangles, &b->bits, &b->found);
     if (!code)
-        b->not_finite = find_not_finite(b, &b->first_not_finite);
+        b->not_finite = b->triangles.is_double ? tribox_mesh_not_finite(&b->triangles.doubles, &b->first_not_finite)
+                                               : tribox_soup_not_finite(&b->triangles.soup, &b->first_not_finite);
     return code;
 }
 
