@@ -10,6 +10,7 @@
 
 #include "console/crew.h"
 #include "console/message.h"
+#include "console/system.h"
 #include "tribox_threads.h"
 
 /* ----------------------------------------------------------------------------------------------------------------------- labels */
@@ -42,14 +43,10 @@ static bool add_labels(outside *o, size_t more)
 {
     if (more > labels_most - o->count)
         return false;
-    if (o->count + more > o->room) {
-        const size_t room = o->count + more + o->count / 2;
-        uint32_t *const grown = realloc(o->parents, room * sizeof *grown);
-        if (!grown)
-            return false;
-        o->parents = grown;
-        o->room = room;
-    }
+    uint32_t *const parents = memory_grow(o->parents, o->count + more, &o->room, sizeof *parents);
+    if (!parents)
+        return false;
+    o->parents = parents;
     for (size_t n = 0; n < more; n++, o->count++)
         o->parents[o->count] = (uint32_t)o->count;
     return true;

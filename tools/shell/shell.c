@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "colours/colours.h"
+#include "console/system.h"
 
 /* ------------------------------------------------------------------------------------------------------------------- rectangles */
 
@@ -411,14 +412,10 @@ static bool is_double(const lattice *l, unsigned cells, const uint32_t at[3], in
 
 static bool add_extra(lattice *l, uint64_t key, unsigned vertices)
 {
-    if (l->extras == l->room) {
-        const size_t room = l->room ? 2 * l->room : 1024;
-        lattice_extra *const more = realloc(l->extra, room * sizeof *more);
-        if (!more)
-            return false;
-        l->extra = more;
-        l->room = room;
-    }
+    lattice_extra *const extra = memory_grow(l->extra, l->extras + 1, &l->room, sizeof *extra);
+    if (!extra)
+        return false;
+    l->extra = extra;
     l->extra[l->extras++] = (lattice_extra){key, (uint32_t)l->vertices};
     l->vertices += vertices;
     return true;
