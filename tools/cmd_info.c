@@ -98,8 +98,8 @@ static int print_text(const char *processor)
 static int print_mesh(const request *r, const mesh *m, const mesh_colours *colours)
 {
     const char *const type = m->is_double ? "float64" : "float32", *const of = colours->of ? colours->from : NULL;
-    const tribox_box *const b = &m->bounds;
-    const bool has_bounds = m->not_finite < m->triangles;
+    const tribox_box *const b = &m->seen.bounds;
+    const bool has_bounds = m->seen.not_finite < m->triangles;
     if (r->is_quiet && r->out_path && !r->wants_json)
         return EXIT_CODE_OK;
     if (!r->wants_json) {

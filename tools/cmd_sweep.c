@@ -2,6 +2,7 @@
 #include "cmd.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -147,8 +148,8 @@ static void print_text(const findings *f)
     if (f->r->shift.is_wanted)
         output_shift(f->r->shift.by);
     printf("triangles    %zu", f->m->soup.count);
-    if (f->m->not_finite)
-        printf(" (%zu have NaN or infinite coordinates and overlap nothing)", f->m->not_finite);
+    if (f->m->seen.not_finite)
+        printf(" (%" PRIu64 " have NaN or infinite coordinates and overlap nothing)", f->m->seen.not_finite);
     putchar('\n');
     printf("tested       %s\n", f->work_text);
     printf("pairs        %zu, of which %zu overlap (%.2f %%)\n", f->work->pairs, f->w.overlapping,

@@ -7,8 +7,9 @@
 bool mesh_is_same(const mesh *a, const mesh *b)
 {
     bool same = a->triangles == b->triangles && a->is_double == b->is_double && a->left_out == b->left_out &&
-                a->miscut == b->miscut && a->not_finite == b->not_finite && a->first_not_finite == b->first_not_finite &&
-                a->doubles.vertices == b->doubles.vertices && !memcmp(&a->bounds, &b->bounds, sizeof a->bounds);
+                a->miscut == b->miscut && a->seen.not_finite == b->seen.not_finite &&
+                a->seen.first_not_finite == b->seen.first_not_finite && a->doubles.vertices == b->doubles.vertices &&
+                !memcmp(&a->seen.bounds, &b->seen.bounds, sizeof a->seen.bounds);
     for (size_t t = 0; same && t < a->triangles; t++) {
         double u[9], v[9];
         mesh_triangle(a, t, u);
@@ -35,5 +36,6 @@ bool mesh_is_looked_at_well(const mesh *m)
             bounds.hi[c % 3] = u[c] > bounds.hi[c % 3] ? u[c] : bounds.hi[c % 3];
         }
     }
-    return not_finite == m->not_finite && first == m->first_not_finite && !memcmp(&bounds, &m->bounds, sizeof bounds);
+    return not_finite == m->seen.not_finite && first == m->seen.first_not_finite &&
+           !memcmp(&bounds, &m->seen.bounds, sizeof bounds);
 }

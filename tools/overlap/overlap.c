@@ -89,7 +89,7 @@ static void tell_mesh(const mesh *m, answer *a)
     a->triangles = m->triangles;
     a->is_double = m->is_double;
     a->left_out = m->left_out;
-    a->not_finite = m->not_finite;
+    a->not_finite = m->seen.not_finite;
     a->rounded = m->rounded;
     a->moved = m->moved;
 }

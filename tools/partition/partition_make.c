@@ -28,7 +28,7 @@ static void fill_header(partition_answer *a, uint32_t tile, unsigned position_by
                             .record_bytes = sizeof(partition_tile),
                             .triangles = found->triangles,
                             .sums = found->sums,
-                            .not_finite = found->not_finite};
+                            .not_finite = found->seen.not_finite};
     memcpy(h->origin, a->cells.grid.origin, sizeof h->origin);
     memcpy(h->cell, a->cells.grid.cell, sizeof h->cell);
     memcpy(h->shift, a->cells.shift, sizeof h->shift);
@@ -50,10 +50,10 @@ static int sort_pieces(partition_answer *a, const pieces *all)
     tile_runs *const runs = tile_runs_make(&a->cells.grid, side, r->has_ids, all->blocks, memory_of(r));
     int code = runs ? tile_sort(runs, all, r->threads, &a->out, &found) : EXIT_CODE_FAILURE;
     if (!code) {
-        mesh_warn_not_finite(name_of(r), found.not_finite, found.triangles, found.first_not_finite);
+        mesh_warn_not_finite(name_of(r), found.seen.not_finite, found.triangles, found.seen.first_not_finite);
         fill_header(a, side, all->write_bytes, &found);
-        code =
-            found.not_finite == found.triangles ? refuse_none(r) : tile_write(&a->out, runs, r->threads, &a->header, &a->spilled);
+        code = found.seen.not_finite == found.triangles ? refuse_none(r)
+                                                        : tile_write(&a->out, runs, r->threads, &a->header, &a->spilled);
     }
     tile_runs_free(runs);
     return code;
@@ -70,7 +70,7 @@ static int survey(partition_answer *a, pieces *all)
         memcpy(all->shift.by, nothing, sizeof nothing);
         code = tile_sort_look(all, a->r->threads, &found);
         if (!code)
-            mesh_shift_choose(&found.bounds, all->shift.by);
+            mesh_shift_choose(&found.seen.bounds, all->shift.by);
     }
     if (!code && (all->shift.is_wanted || !grid_is_fixed(choice)))
         code = tile_sort_look(all, a->r->threads, &found);
@@ -79,11 +79,11 @@ static int survey(partition_answer *a, pieces *all)
     if (all->shift.is_wanted && found.fits_float)
         all->write_bytes = sizeof(float);
     memcpy(a->cells.shift, all->shift.by, sizeof a->cells.shift);
-    if (!grid_is_fixed(choice) && found.bounds.lo[0] > found.bounds.hi[0]) {
-        mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
+    if (!grid_is_fixed(choice) && found.seen.bounds.lo[0] > found.seen.bounds.hi[0]) {
+        mesh_warn_not_finite(name_of(a->r), found.seen.not_finite, found.triangles, found.seen.first_not_finite);
         return refuse_none(a->r);
     }
-    return grid_choose_around(choice, name_of(a->r), &found.bounds, &a->cells.grid);
+    return grid_choose_around(choice, name_of(a->r), &found.seen.bounds, &a->cells.grid);
 }
 
 static int open_out(partition_answer *a, bool has_ids)

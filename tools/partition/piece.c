@@ -238,7 +238,7 @@ static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned t
         return code;
     p->triangles = p->whole.triangles;
     p->is_double = p->whole.is_double;
-    p->whole.not_finite = 0; /* which is told of all pieces together */
+    p->whole.seen.not_finite = 0; /* which is told of all pieces together */
     mesh_warn(triangle_file_name(p->path), &p->whole);
     return EXIT_CODE_OK;
 }

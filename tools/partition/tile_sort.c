@@ -205,45 +205,12 @@ size_t tile_sort_block(const pieces *all, uint64_t memory, unsigned threads)
     return block < LEAST ? LEAST : block > MOST ? MOST : (size_t)block;
 }
 
-static tally tally_of_none(void)
-{
-    return (tally){.bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}},
-                   .first_not_finite = UINT64_MAX,
-                   .fits_float = true};
-}
-
-static double least(double a, double b) { return a < b ? a : b; }
-static double most(double a, double b) { return a > b ? a : b; }
-
 static void add_tally(tally *to, const tally *from)
 {
-    for (int a = 0; a < 3; a++) {
-        to->bounds.lo[a] = fmin(to->bounds.lo[a], from->bounds.lo[a]);
-        to->bounds.hi[a] = fmax(to->bounds.hi[a], from->bounds.hi[a]);
-    }
+    triangles_seen_add(&from->seen, &to->seen);
     to->triangles += from->triangles;
-    to->not_finite += from->not_finite;
-    to->first_not_finite = from->first_not_finite < to->first_not_finite ? from->first_not_finite : to->first_not_finite;
     mesh_sums_add(&to->sums, &from->sums, 0); /* numbered through */
     to->fits_float &= from->fits_float;
-}
-
-/* Returns whether it is finite. */
-static bool add_triangle(tally *t, uint64_t number, const double u[NUMBERS])
-{
-    double zero = 0; /* or NaN */
-    for (int k = 0; k < NUMBERS; k++)
-        zero += 0 * u[k];
-    if (!(zero == 0)) {
-        t->not_finite++;
-        t->first_not_finite = number < t->first_not_finite ? number : t->first_not_finite;
-        return false;
-    }
-    for (int a = 0; a < 3; a++) {
-        t->bounds.lo[a] = least(t->bounds.lo[a], least(least(u[a], u[3 + a]), u[6 + a]));
-        t->bounds.hi[a] = most(t->bounds.hi[a], most(most(u[a], u[3 + a]), u[6 + a]));
-    }
-    return true;
 }
 
 static bool fits(const double u[NUMBERS])
@@ -256,15 +223,14 @@ static bool fits(const double u[NUMBERS])
 
 static tally tally_of_block(const pieces *all, const piece_block *block, const void *positions, bool has_sums)
 {
-    tally t = tally_of_none();
+    tally t = {.triangles = block->count, .seen = no_triangles_seen, .fits_float = true};
     for (size_t i = 0; i < block->count; i++) {
         double u[NUMBERS];
         pieces_triangle(all, positions, i, u);
-        if (add_triangle(&t, block->number + i, u) && has_sums)
+        if (triangles_see(block->number + i, u, &t.seen) && has_sums)
             mesh_sums_add(&t.sums, &(mesh_sums){part_triangle_checksum(u), 0}, block->number + i);
         t.fits_float &= all->write_bytes != sizeof(double) || fits(u);
     }
-    t.triangles = block->count;
     return t;
 }
 
@@ -423,7 +389,7 @@ static int sort_block(void *data, void *place, size_t n)
     b->found = tally_of_block(s->all, &b->block, b->positions, s->runs);
     if (!s->runs)
         return NO_TROUBLE;
-    const tribox_tiles tiles = find_tiles(s->runs, &b->found.bounds);
+    const tribox_tiles tiles = find_tiles(s->runs, &b->found.seen.bounds);
     tribox_status status = list_tiles(b, b->block.count, &tiles);
     if (!status)
         share_work(b, b->block.count, b->starts[tiles.count]);
@@ -507,7 +473,7 @@ static int walk_blocks(sorting *s, const char *what, unsigned threads, tally *fo
                             .step = sort_block,
                             .tell = tell_block,
                             .refuse = tell_trouble};
-    s->found = tally_of_none();
+    s->found = (tally){.seen = no_triangles_seen, .fits_float = true};
     s->bar = progress_start_of(what, "triangles", (double)s->all->triangles);
     const int code = crew_do(&work, s);
     progress_end(&s->bar);

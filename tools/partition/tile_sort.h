@@ -10,9 +10,8 @@ typedef struct tile_runs tile_runs;
 
 /* What a mesh is like. */
 typedef struct tally {
-    tribox_box bounds;              /* of the triangles that are finite; lo > hi where there are none */
-    uint64_t triangles, not_finite; /* as far as they were looked at */
-    uint64_t first_not_finite;      /* the number of the first of them */
+    uint64_t triangles;  /* as far as they were looked at */
+    triangles_seen seen; /* of these */
     mesh_sums sums;
     bool fits_float; /* no number is lost as a float */
 } tally;

@@ -39,6 +39,41 @@ bool polygon_cut(const indexed_mesh *m, const uint32_t *face, size_t corners, ui
 
 void indexed_mesh_free(indexed_mesh *m);
 
+/* What a look at triangles finds, whichever their order. */
+typedef struct triangles_seen {
+    uint64_t not_finite, first_not_finite; /* how many have a NaN or infinite coordinate; UINT64_MAX for none */
+    tribox_box bounds;                     /* of the others; lo > hi where there are none */
+} triangles_seen;
+
+extern const triangles_seen no_triangles_seen;
+void triangles_seen_add(const triangles_seen *from, triangles_seen *to);
+
+static inline bool triangle_is_finite(const double u[9])
+{
+    double zero = 0; /* or NaN */
+    for (int k = 0; k < 9; k++)
+        zero += 0 * u[k];
+    return zero == 0;
+}
+
+static inline double least_number(double a, double b) { return a < b ? a : b; }
+static inline double most_number(double a, double b) { return a > b ? a : b; }
+
+/* Looks at one: x, y, z of each vertex. Returns whether it is finite. */
+static inline bool triangles_see(uint64_t number, const double u[9], triangles_seen *s)
+{
+    if (!triangle_is_finite(u)) {
+        s->not_finite++;
+        s->first_not_finite = number < s->first_not_finite ? number : s->first_not_finite;
+        return false;
+    }
+    for (int a = 0; a < 3; a++) {
+        s->bounds.lo[a] = least_number(s->bounds.lo[a], least_number(least_number(u[a], u[3 + a]), u[6 + a]));
+        s->bounds.hi[a] = most_number(s->bounds.hi[a], most_number(most_number(u[a], u[3 + a]), u[6 + a]));
+    }
+    return true;
+}
+
 typedef struct mesh {
     size_t triangles;    /* all of them, in the order of the file; polygons are cut, degenerate triangles stay */
     tribox_soup soup;    /* as floats; empty if is_double */
@@ -49,12 +84,10 @@ typedef struct mesh {
     size_t miscut;       /* polygons whose triangles cover more than they do */
     size_t rounded;      /* vertices of which mesh_to_floats has moved a coordinate */
     double moved;        /* the most that it has moved one */
-    size_t not_finite;   /* triangles with a NaN or infinite coordinate */
-    size_t first_not_finite; /* the first of them */
-    tribox_box bounds;       /* of its finite triangles; lo > hi where there are none */
-    size_t capacity;         /* triangles that the streams have room for */
-    float *coordinates;      /* what the streams point into, from pages_take */
-    void *positions;         /* and what `doubles` does */
+    triangles_seen seen; /* of all, but that the first that is not finite is `triangles` where all are */
+    size_t capacity;     /* triangles that the streams have room for */
+    float *coordinates;  /* what the streams point into, from pages_take */
+    void *positions;     /* and what `doubles` does */
     uint32_t *corners;
     size_t position_room, corner_room; /* bytes of these from pages_take; 0: from malloc */
     char *opened;                      /* by libassimp: names of files, each with its end, and then an empty one; or NULL */
@@ -131,7 +164,7 @@ int mesh_read_slowly(const char *path, mesh_kind kind, bool is_wide, unsigned th
 /* The bounds of its finite triangles; false where there are none. */
 static inline bool mesh_bounds(const mesh *m, tribox_box *bounds)
 {
-    *bounds = m->bounds;
+    *bounds = m->seen.bounds;
     return bounds->lo[0] <= bounds->hi[0];
 }
 

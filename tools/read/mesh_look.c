@@ -116,7 +116,7 @@ void mesh_warn_rounded(const char *path, const mesh *m)
 
 void mesh_warn(const char *path, const mesh *m)
 {
-    mesh_warn_not_finite(path, m->not_finite, m->triangles, m->first_not_finite);
+    mesh_warn_not_finite(path, m->seen.not_finite, m->triangles, m->seen.first_not_finite);
     mesh_warn_rounded(path, m);
     if (m->uncut)
         message_say("warning: %s: %zu of %zu triangles are missing: libassimp cannot cut polygons that cross themselves", path,
@@ -132,47 +132,27 @@ typedef struct lanes {
     float lo[LANES], hi[LANES], sound[LANES]; /* sound: 0, or NaN where something is not finite */
 } lanes;
 
-/* What a look at triangles finds, as the mesh has it of all. */
-typedef struct seen {
-    size_t not_finite, first;
-    tribox_box bounds;
-} seen;
+const triangles_seen no_triangles_seen = {.first_not_finite = UINT64_MAX,
+                                          .bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}};
 
-static const seen nothing = {.first = SIZE_MAX, .bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}};
-
-void mesh_look_begin(mesh *m)
+void triangles_seen_add(const triangles_seen *from, triangles_seen *to)
 {
-    m->not_finite = nothing.not_finite;
-    m->first_not_finite = nothing.first;
-    m->bounds = nothing.bounds;
+    to->not_finite += from->not_finite;
+    to->first_not_finite = from->first_not_finite < to->first_not_finite ? from->first_not_finite : to->first_not_finite;
+    for (int a = 0; a < 3; a++) {
+        to->bounds.lo[a] = least_number(to->bounds.lo[a], from->bounds.lo[a]);
+        to->bounds.hi[a] = most_number(to->bounds.hi[a], from->bounds.hi[a]);
+    }
 }
 
-static void add_number(double number, int axis, tribox_box *bounds)
-{
-    bounds->lo[axis] = number < bounds->lo[axis] ? number : bounds->lo[axis];
-    bounds->hi[axis] = number > bounds->hi[axis] ? number : bounds->hi[axis];
-}
+void mesh_look_begin(mesh *m) { m->seen = no_triangles_seen; }
 
-static bool is_finite_nine(const double u[9])
-{
-    bool is_finite = true;
-    for (int c = 0; c < 9; c++)
-        is_finite &= isfinite(u[c]) != 0;
-    return is_finite;
-}
-
-static void look_at_each(const mesh *m, size_t first, size_t count, seen *look)
+static void look_at_each(const mesh *m, size_t first, size_t count, triangles_seen *look)
 {
     for (size_t t = first; t < first + count; t++) {
         double u[9];
         mesh_triangle(m, t, u);
-        if (!is_finite_nine(u)) {
-            look->not_finite++;
-            look->first = t < look->first ? t : look->first;
-            continue;
-        }
-        for (int c = 0; c < 9; c++)
-            add_number(u[c], c % 3, &look->bounds);
+        triangles_see(t, u, look);
     }
 }
 
@@ -190,7 +170,7 @@ static void look_at_stream(const float *numbers, size_t count, lanes *found)
 }
 
 /* Returns false, with nothing added, where something is not finite. count: a multiple of LANES. */
-static bool look_in_lanes(const mesh *m, size_t first, size_t count, seen *look)
+static bool look_in_lanes(const mesh *m, size_t first, size_t count, triangles_seen *look)
 {
     const float *const *const streams[3] = {m->soup.x, m->soup.y, m->soup.z};
     lanes axes[3];
@@ -208,8 +188,8 @@ static bool look_in_lanes(const mesh *m, size_t first, size_t count, seen *look)
     }
     for (int a = 0; sound == 0 && a < 3; a++)
         for (int k = 0; k < LANES; k++) {
-            add_number((double)axes[a].lo[k], a, &look->bounds);
-            add_number((double)axes[a].hi[k], a, &look->bounds);
+            look->bounds.lo[a] = least_number(look->bounds.lo[a], (double)axes[a].lo[k]);
+            look->bounds.hi[a] = most_number(look->bounds.hi[a], (double)axes[a].hi[k]);
         }
     return sound == 0;
 }
@@ -218,16 +198,11 @@ void mesh_look_add(size_t first, size_t count, mesh *m)
 {
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; /* of what meshes have, whichever it is */
     const size_t whole = m->is_double ? 0 : count / LANES * LANES;
-    seen own = nothing;
+    triangles_seen own = no_triangles_seen;
     const size_t done = whole && look_in_lanes(m, first, whole, &own) ? whole : 0;
     look_at_each(m, first + done, count - done, &own);
     pthread_mutex_lock(&lock);
-    m->not_finite += own.not_finite;
-    m->first_not_finite = own.first < m->first_not_finite ? own.first : m->first_not_finite;
-    for (int a = 0; a < 3 && own.bounds.lo[0] <= own.bounds.hi[0]; a++) {
-        add_number(own.bounds.lo[a], a, &m->bounds);
-        add_number(own.bounds.hi[a], a, &m->bounds);
-    }
+    triangles_seen_add(&own, &m->seen);
     pthread_mutex_unlock(&lock);
 }
 
@@ -248,7 +223,7 @@ static double first_zero(const mesh *m, int axis)
         double u[9];
         mesh_triangle(m, t, u);
         for (int c = axis; c < 9; c += 3)
-            if (u[c] == 0 && is_finite_nine(u))
+            if (u[c] == 0 && triangle_is_finite(u))
                 return u[c];
     }
     return 0;
@@ -256,12 +231,12 @@ static double first_zero(const mesh *m, int axis)
 
 void mesh_look_end(mesh *m)
 {
-    m->first_not_finite = m->not_finite ? m->first_not_finite : m->triangles;
+    m->seen.first_not_finite = m->seen.not_finite ? m->seen.first_not_finite : m->triangles;
     for (int a = 0; a < 3; a++) {
-        if (m->bounds.lo[a] == 0)
-            m->bounds.lo[a] = first_zero(m, a);
-        if (m->bounds.hi[a] == 0)
-            m->bounds.hi[a] = first_zero(m, a);
+        if (m->seen.bounds.lo[a] == 0)
+            m->seen.bounds.lo[a] = first_zero(m, a);
+        if (m->seen.bounds.hi[a] == 0)
+            m->seen.bounds.hi[a] = first_zero(m, a);
     }
 }
 

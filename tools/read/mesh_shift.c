@@ -66,7 +66,7 @@ int mesh_read_shifted(const mesh_request *r, mesh_shift *shift, mesh *m)
     if (code || !shift->is_wanted || (r->over && r->over->is_used))
         return code;
     if (shift->is_auto)
-        mesh_shift_choose(&m->bounds, shift->by);
+        mesh_shift_choose(&m->seen.bounds, shift->by);
     code = subtract(r->path, shift->by, m);
     if (code)
         mesh_free(m);

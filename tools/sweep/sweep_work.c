@@ -222,7 +222,7 @@ static const char *make_box(const tribox_soup *soup, const tribox_box *box, timi
 
 int sweep_work_make(const char *path, const mesh *m, sweep_wish *wish, timing_work *work)
 {
-    if (m->not_finite == m->soup.count)
+    if (m->seen.not_finite == m->soup.count)
         return message_failure("%s: no triangle has finite coordinates: there is nothing to time", path);
     if (wish->kind == SWEEP_OCTREE && !wish->depth)
         wish->depth = depth_for(m->soup.count);

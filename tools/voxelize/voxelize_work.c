@@ -117,7 +117,7 @@ static int work_in_memory(const voxelize_request *r, const mesh *m, const mesh_s
         return code;
     mesh_warn(name, m);
     a->triangles = m->triangles;
-    a->not_finite = m->not_finite;
+    a->not_finite = (size_t)m->seen.not_finite;
     a->is_double = m->is_double;
     a->is_shifted = shift->is_wanted;
     if (shift->is_wanted)

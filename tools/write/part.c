@@ -9,10 +9,7 @@
 
 uint64_t part_triangle_checksum(const double u[9])
 {
-    double zero = 0; /* or NaN */
-    for (int k = 0; k < 9; k++)
-        zero += 0 * u[k];
-    return zero == 0 ? checksum_bytes(CHECKSUM_EMPTY, u, sizeof(double[9])) : 0;
+    return triangle_is_finite(u) ? checksum_bytes(CHECKSUM_EMPTY, u, sizeof(double[9])) : 0;
 }
 
 mesh_sums mesh_sums_of(const mesh *m)
