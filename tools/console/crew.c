@@ -142,10 +142,22 @@ static void *take_spare(steps_crew *c)
     return place;
 }
 
+static void end_place(const crew_work *w, void *place)
+{
+    if (w->end)
+        w->end(place);
+    if (w->place_bytes)
+        free(place);
+}
+
 static void *make_place(steps_crew *c)
 {
     const crew_work *const w = c->work;
-    void *const place = w->begin ? w->begin(c->data) : w->place_bytes ? malloc(w->place_bytes) : c->data;
+    void *place = w->place_bytes ? calloc(1, w->place_bytes) : c->data;
+    if (place && w->begin && !w->begin(c->data, place)) {
+        end_place(w, place);
+        place = NULL;
+    }
     if (place)
         c->places[c->made++] = place;
     else
@@ -251,8 +263,7 @@ int crew_do(const crew_work *work, void *data)
     pthread_cond_destroy(&c.has_changed);
     pthread_mutex_destroy(&c.state);
     pthread_mutex_destroy(&c.finding);
-    void (*const end)(void *) = work->place_bytes ? free : work->end;
-    for (size_t n = 0; n < c.made && end; n++)
-        end(c.places[n]);
+    for (size_t n = 0; n < c.made; n++)
+        end_place(work, c.places[n]);
     return c.code;
 }

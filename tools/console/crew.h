@@ -16,9 +16,9 @@ typedef struct crew_work {
     unsigned threads; /* at most THREADS_MAX; where the system starts fewer, those do all */
     unsigned each;    /* places for each thread: steps may be done so far before their turn to be told; 0 counts as 1 */
     bool is_told_in_order;
-    void *(*begin)(void *data); /* a place; NULL where there is no memory: fewer have to do. NULL: it is of place_bytes */
-    void (*end)(void *place);
-    size_t place_bytes; /* 0: steps need no place, and get the data */
+    size_t place_bytes;                     /* zeros, to begin with; 0: steps need no place, and get the data */
+    bool (*begin)(void *data, void *place); /* what a place needs besides; false where there is no memory: fewer have to do */
+    void (*end)(void *place);               /* gives it back, as far as it was taken; either may be NULL */
     bool (*find)(void *data, void *place, size_t n); /* what step n is about, one thread at a time; false: there is none any more */
     int (*step)(void *data, void *place, size_t n);  /* anything but 0 ends the work. NULL: all is done when it is found */
     int (*tell)(void *data, void *place, size_t n);  /* what step n found, one thread at a time; likewise. NULL: nothing */

@@ -167,23 +167,18 @@ static void end_place(void *place)
     beam_place *const p = place;
     if (p->room)
         p->filling->end(p->room);
+    free(p->room);
     free(p->solid.tiles);
-    free(p);
 }
 
-static void *begin_place(void *data)
+static bool begin_place(void *data, void *place)
 {
     beam_job *const j = data;
-    beam_place *const p = calloc(1, sizeof *p);
-    if (!p)
-        return NULL;
+    beam_place *const p = place;
     p->filling = j->filling;
     p->solid.tiles = malloc(j->beams->tiles * sizeof *p->solid.tiles);
-    p->room = p->solid.tiles ? j->filling->start(j->about) : NULL;
-    if (p->room)
-        return p;
-    end_place(p);
-    return NULL;
+    p->room = calloc(1, j->filling->room_bytes);
+    return p->solid.tiles && p->room && j->filling->start(j->about, p->room);
 }
 
 static int fill_beam(void *data, void *place, size_t beam)
@@ -216,6 +211,7 @@ static int fill_beams(beam_job *j, unsigned threads)
     const crew_work work = {.threads = threads,
                             .count = j->beams->count,
                             .is_told_in_order = true,
+                            .place_bytes = sizeof(beam_place),
                             .begin = begin_place,
                             .end = end_place,
                             .step = fill_beam,

@@ -79,9 +79,10 @@ typedef struct beam_filling {
     /* What all threads need, for which `about` stands below; x: as of fill_tiles. In any case `close` follows. */
     tribox_status (*open)(const beams *b, const double x[2], unsigned threads, progress *bar, void **about);
     void (*close)(void *about);
-    void *(*start)(void *about); /* what a thread needs; NULL where there is no memory */
+    size_t room_bytes;                      /* what a thread needs, of zeros, and */
+    bool (*start)(void *about, void *room); /* what else it takes; false where there is no memory */
     tribox_status (*fill)(const void *about, void *room, size_t beam, beam_solid *solid, beam_found *found);
-    void (*end)(void *room);
+    void (*end)(void *room); /* gives back what start took */
 } beam_filling;
 
 /* Parity of the crossings of rays along x: a window of whole rows at a time. */

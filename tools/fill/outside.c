@@ -177,29 +177,22 @@ static void end_room(void *data)
 {
     outside_room *const r = data;
     free_faces(r);
-    if (r->tile)
-        tile_room_free(r->tile);
+    tile_room_free(r->tile);
     free(r->surface);
     free(r->scratch);
     free(r->solid);
     free(r->mask);
-    free(r);
 }
 
-static void *start_room(void *about)
+static bool start_room(void *about, void *room)
 {
     const outside *const o = about;
     const tile_set *const set = o->set;
-    outside_room *const r = calloc(1, sizeof *r);
-    if (!r)
-        return NULL;
+    outside_room *const r = room;
     r->tile = tile_room_new(set, 0, set->count);
     r->surface = malloc(tile_word_count(set) * sizeof *r->surface);
     r->scratch = malloc(tribox_fill_labels_bytes((const uint32_t[3]){set->tile, set->tile, set->tile}));
-    if (r->tile && r->surface && r->scratch)
-        return r;
-    end_room(r);
-    return NULL;
+    return r->tile && r->surface && r->scratch;
 }
 
 /* ------------------------------------------------------------------------------------------------------------------- first pass */
@@ -233,8 +226,13 @@ static int add_tile(void *data, void *place, size_t record)
 
 static tribox_status open_outside(const beams *b, const double x[2], unsigned threads, progress *bar, void **about)
 {
-    const crew_work work = {
-        .threads = threads, .count = b->set->count, .begin = start_room, .end = end_room, .step = label_tile, .tell = add_tile};
+    const crew_work work = {.threads = threads,
+                            .count = b->set->count,
+                            .place_bytes = sizeof(outside_room),
+                            .begin = start_room,
+                            .end = end_room,
+                            .step = label_tile,
+                            .tell = add_tile};
     outside *const o = calloc(1, sizeof *o);
     (void)x;
     *about = o;
@@ -352,4 +350,4 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
     return TRIBOX_OK;
 }
 
-const beam_filling beam_outside = {open_outside, close_outside, start_room, fill_beam, end_room};
+const beam_filling beam_outside = {open_outside, close_outside, sizeof(outside_room), start_room, fill_beam, end_room};

@@ -86,35 +86,28 @@ static size_t most_triangles(const parity *p)
 static void end_room(void *data)
 {
     parity_room *const r = data;
-    if (r->tile)
-        tile_room_free(r->tile);
+    tile_room_free(r->tile);
     pages_free(r->surface, 2 * r->words * sizeof *r->surface);
     free(r->scratch);
     free(r->numbers);
-    free(r);
 }
 
 static uint32_t beam_side(uint32_t cells, uint32_t side) { return cells < side ? cells : side; }
 
-static void *start_room(void *about)
+static bool start_room(void *about, void *room)
 {
     const parity *const p = about;
     const tile_set *const set = p->beams->set;
     const uint32_t *const grid = set->task.grid.size;
     const uint32_t size[3] = {grid[0], beam_side(grid[1], set->tile), beam_side(grid[2], set->tile)};
-    parity_room *const r = calloc(1, sizeof *r);
-    if (!r)
-        return NULL;
+    parity_room *const r = room;
     r->words = tribox_window_words(size);
     r->surface = pages_take(2 * r->words * sizeof *r->surface);
     r->solid = r->surface ? r->surface + r->words : NULL;
     r->scratch = malloc(tribox_fill_bytes(size));
     r->numbers = malloc(9 * most_triangles(p) * sizeof *r->numbers);
     r->tile = tile_room_new(set, 0, set->count);
-    if (r->surface && r->scratch && r->numbers && r->tile)
-        return r;
-    end_room(r);
-    return NULL;
+    return r->surface && r->scratch && r->numbers && r->tile;
 }
 
 /* The triangles of a list as nine streams. */
@@ -195,4 +188,4 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
     return status;
 }
 
-const beam_filling beam_parity = {open_parity, close_parity, start_room, fill_beam, end_room};
+const beam_filling beam_parity = {open_parity, close_parity, sizeof(parity_room), start_room, fill_beam, end_room};

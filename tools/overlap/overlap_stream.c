@@ -34,12 +34,10 @@ typedef struct stream {
     masks all; /* of all triangles, where the mesh is written again */
 } stream;
 
-static void *make_block(void *data)
+static bool begin_block(void *data, void *place)
 {
     const stream *const s = data;
-    block *const b = calloc(1, sizeof *b);
-    if (!b)
-        return NULL;
+    block *const b = place;
     tribox_soup *const soup = &b->triangles.soup;
     b->read.bytes = b->bytes;
     b->triangles.doubles = (tribox_mesh){.positions = b->positions, .position_bytes = sizeof *b->positions};
@@ -51,7 +49,7 @@ static void *make_block(void *data)
         soup->z[v] = b->streams[6 + v];
     }
     b->bits = (masks){b->words[0], s->r->wants_inside ? b->words[1] : NULL};
-    return b;
+    return true;
 }
 
 static int unpack_block(const triangle_file *file, block *b)
@@ -128,8 +126,8 @@ static int ask_blocks(stream *s)
     const uint64_t blocks = s->file->promised / TRIANGLE_BLOCK + 1;
     const crew_work work = {.threads = s->r->threads < blocks ? s->r->threads : (unsigned)blocks,
                             .is_told_in_order = true,
-                            .begin = make_block,
-                            .end = free,
+                            .place_bytes = sizeof(block),
+                            .begin = begin_block,
                             .find = find_block,
                             .step = ask_block,
                             .tell = tell_block};

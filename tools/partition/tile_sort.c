@@ -442,15 +442,12 @@ static void free_block(void *place)
     free(b->list);
     free(b->share);
     free(b->run.room);
-    free(b);
 }
 
-static void *make_block(void *data)
+static bool make_block(void *data, void *place)
 {
     sorting *const s = data;
-    block_sort *const b = calloc(1, sizeof *b);
-    if (!b)
-        return NULL;
+    block_sort *const b = place;
     b->s = s;
     b->positions = malloc(s->all->block * pieces_room(s->all));
     if (s->runs) {
@@ -458,16 +455,14 @@ static void *make_block(void *data)
         b->share = malloc(s->all->block * sizeof *b->share);
         b->starts = malloc((s->runs->tiles + 1) * sizeof *b->starts);
     }
-    if (b->positions && (!s->runs || (b->share && b->starts)))
-        return b;
-    free_block(b);
-    return NULL;
+    return b->positions && (!s->runs || (b->share && b->starts));
 }
 
 static int walk_blocks(sorting *s, const char *what, unsigned threads, tally *found)
 {
     const crew_work work = {.count = s->all->blocks,
                             .threads = threads,
+                            .place_bytes = sizeof(block_sort),
                             .begin = make_block,
                             .end = free_block,
                             .step = sort_block,
@@ -681,26 +676,20 @@ static void free_window(void *place)
     free(v->at);
     free(v->numbers);
     free(v->numbers_read);
-    free(v);
 }
 
-static void *make_window(void *data)
+static bool make_window(void *data, void *place)
 {
     writing *const w = data;
+    window *const v = place;
     const bool has_numbers = w->header->number_bytes;
-    window *const v = calloc(1, sizeof *v);
-    if (!v)
-        return NULL;
     v->w = w;
     v->bytes = malloc(w->room * w->triangle_bytes);
     v->read = malloc(w->room * w->triangle_bytes);
     v->at = malloc(w->room * sizeof *v->at);
     v->numbers = has_numbers ? malloc(w->room * sizeof *v->numbers) : NULL;
     v->numbers_read = has_numbers ? malloc(w->room * sizeof *v->numbers) : NULL;
-    if (v->bytes && v->read && v->at && (!has_numbers || (v->numbers && v->numbers_read)))
-        return v;
-    free_window(v);
-    return NULL;
+    return v->bytes && v->read && v->at && (!has_numbers || (v->numbers && v->numbers_read));
 }
 
 static void write_index(folder_out *out, partition_header *header, const tile_list *list)
@@ -727,6 +716,7 @@ int tile_write(folder_out *out, const tile_runs *runs, unsigned threads, partiti
                  .triangle_bytes = NUMBERS * header->position_bytes,
                  .room = room < LEAST ? LEAST : (size_t)room};
     const crew_work work = {.threads = threads,
+                            .place_bytes = sizeof(window),
                             .begin = make_window,
                             .end = free_window,
                             .find = find_records,

@@ -15,13 +15,14 @@ typedef struct reading {
     triangle_file *file;
 } reading;
 
-static void *make_block(void *data)
+/* A block, and its bytes. */
+enum { BLOCK_ROOM = sizeof(triangle_block) + TRIANGLE_BLOCK_BYTES };
+
+static bool begin_block(void *data, void *room)
 {
     (void)data;
-    triangle_block *const block = malloc(sizeof *block + TRIANGLE_BLOCK_BYTES);
-    if (block)
-        *block = (triangle_block){.bytes = (unsigned char *)(block + 1)};
-    return block;
+    ((triangle_block *)room)->bytes = (unsigned char *)((triangle_block *)room + 1);
+    return true;
 }
 
 static int read_block(void *data, void *place, size_t n)
@@ -71,8 +72,8 @@ static int read_sized(triangle_file *file, unsigned threads, mesh *m)
     const size_t blocks = (m->triangles + TRIANGLE_BLOCK - 1) / TRIANGLE_BLOCK;
     const crew_work work = {.count = blocks,
                             .threads = threads < blocks ? threads : (unsigned)blocks,
-                            .begin = make_block,
-                            .end = free,
+                            .place_bytes = BLOCK_ROOM,
+                            .begin = begin_block,
                             .step = read_block};
     mesh_look_begin(m);
     reading_begin();
@@ -157,8 +158,8 @@ static int read_stream(triangle_file *file, unsigned threads, mesh_overflow *ove
 {
     const bool is_double = file->format == TRIANGLES_F64;
     listed all = {.each = is_double ? sizeof(double[9]) : sizeof(float[9]), .is_double = is_double};
-    triangle_block *const block = make_block(NULL);
-    int code = block ? EXIT_CODE_OK : message_failure("%s: out of memory", file->name);
+    triangle_block *const block = calloc(1, BLOCK_ROOM);
+    int code = block && begin_block(NULL, block) ? EXIT_CODE_OK : message_failure("%s: out of memory", file->name);
     while (!code && !(code = triangle_file_find(file, block)) && block->count) {
         const bool is_full = all.room - all.count < block->count && is_over(over, &all);
         triangles_unpack(file->format, block->count, block->bytes);

@@ -111,23 +111,25 @@ static uint64_t count_lines(const char *c, const char *end)
 }
 
 /* A vertex takes six bytes of text, "0 0 0" and a blank; a corner or a face two, a relative corner three, "-1". */
-static void *make_chunk(void *data)
+static bool begin_chunk(void *data, void *place)
 {
     const text *const t = data;
+    text_chunk *const chunk = place;
     const size_t bytes = 1 + t->file->chunk_bytes + TEXT_OVERLAP + TEXT_AHEAD;
     const size_t positions = (bytes / 6 + 1) * sizeof(double[3]), relatives = (bytes / 3 + 1) * sizeof(text_relative);
     const size_t corners = (bytes / 2 + 1) * sizeof(uint32_t);
-    char *const room = malloc(sizeof(text_chunk) + positions + relatives + 2 * corners + bytes + 1);
-    text_chunk *const chunk = (void *)room;
-    if (chunk) {
-        chunk->positions = (void *)(room + sizeof *chunk);
-        chunk->relatives = (void *)((char *)chunk->positions + positions);
+    char *const room = malloc(positions + relatives + 2 * corners + bytes + 1);
+    if (room) {
+        chunk->positions = (void *)room;
+        chunk->relatives = (void *)(room + positions);
         chunk->corners = (void *)((char *)chunk->relatives + relatives);
         chunk->sizes = (void *)((char *)chunk->corners + corners);
         chunk->bytes = (char *)chunk->sizes + corners;
     }
-    return chunk;
+    return room;
 }
+
+static void end_chunk(void *place) { free(((text_chunk *)place)->positions); }
 
 /* The chunk begins a byte early, which says whether a line does. */
 static bool load_lines(const text *t, text_chunk *chunk)
@@ -226,8 +228,9 @@ static bool read_all(text *t)
     const crew_work work = {.threads = file->threads < t->chunks ? file->threads : (unsigned)t->chunks,
                             .each = 2,
                             .is_told_in_order = true,
-                            .begin = make_chunk,
-                            .end = free,
+                            .place_bytes = sizeof(text_chunk),
+                            .begin = begin_chunk,
+                            .end = end_chunk,
                             .find = find_chunk,
                             .step = read_chunk,
                             .tell = join_chunk};

@@ -241,19 +241,19 @@ static void add_report(tribox_report *to, tribox_report found)
     to->undecided += found.undecided;
 }
 
-static void *take_words(void *data)
+static bool take_words(void *data, void *place)
 {
     layers_job *const job = data;
-    own_words *const own = &job->own[job->owners];
+    own_words *const own = *(own_words **)place = &job->own[job->owners];
     own->words = job->owners ? pages_take(job->words * sizeof *own->words) : job->occupied;
     job->owners += own->words != NULL;
-    return own->words ? own : NULL;
+    return own->words;
 }
 
 static int set_cells(void *data, void *place, size_t n)
 {
     layers_job *const job = data;
-    own_words *const own = place;
+    own_words *const own = *(own_words **)place;
     const size_t start = n * job->step, count = least(job->step, job->task->count - start);
     tribox_report found = {0, 0};
     const tribox_status status = run_task(job->task, start, count, 0, job->task->grid.size[2], own->words, &found);
@@ -285,8 +285,11 @@ static int share_triangles(layers_job *job, tribox_report *report)
     job->step = job->threads == 1   ? (job->bar && job->bar->is_wanted ? WINDOW : count + !count)
                 : step < STEP_LEAST ? STEP_LEAST
                                     : least(step, STEP_MOST);
-    const crew_work cells = {
-        .threads = job->threads, .count = (count + job->step - 1) / job->step, .begin = take_words, .step = set_cells};
+    const crew_work cells = {.threads = job->threads,
+                             .count = (count + job->step - 1) / job->step,
+                             .place_bytes = sizeof(own_words *),
+                             .begin = take_words,
+                             .step = set_cells};
     int status = crew_do(&cells, job);
     const size_t strips = job->owners > 1 ? (job->words + STRIP - 1) / STRIP : 0;
     if (!status)

@@ -101,22 +101,15 @@ static void end_share(void *place)
     pages_free(s->kept.bricks, s->kept.room * sizeof *s->kept.bricks);
     pages_free(s->kept.ids, s->kept.ids_room * sizeof *s->kept.ids);
     tile_room_free(s->room);
-    free(s);
 }
 
-static void *begin_share(void *data)
+static bool begin_share(void *data, void *place)
 {
     const tile_job *const j = data;
-    share *const s = calloc(1, sizeof *s);
-    if (!s)
-        return NULL;
+    share *const s = place;
     s->job = j;
     s->kept.most = j->kept_most;
-    s->room = tile_room_new(j->set, j->from, j->to);
-    if (s->room)
-        return s;
-    end_share(s);
-    return NULL;
+    return (s->room = tile_room_new(j->set, j->from, j->to)) != NULL;
 }
 
 static bool find_share(void *data, void *place, size_t n)
@@ -189,6 +182,7 @@ tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigne
     const crew_work work = {.threads = to - from < threads ? (unsigned)(to - from) : threads,
                             .each = j.is_direct ? 1 : AHEAD,
                             .is_told_in_order = !j.is_direct,
+                            .place_bytes = sizeof(share),
                             .begin = begin_share,
                             .end = end_share,
                             .find = find_share,

@@ -36,14 +36,13 @@ typedef struct dense_room {
     unsigned char bytes[];
 } dense_room;
 
-static void *make_room(void *data)
+static size_t room_bytes(const dense_out *d) { return d->step * d->row_bytes + WORD_BYTES; }
+
+static bool begin_room(void *data, void *place)
 {
-    const dense_out *const d = data;
-    const size_t bytes = d->step * d->row_bytes + WORD_BYTES;
-    dense_room *const room = calloc(1, sizeof *room + bytes + bytes / BLOCK + 2);
-    if (room)
-        room->is_written = room->bytes + bytes;
-    return room;
+    dense_room *const room = place;
+    room->is_written = room->bytes + room_bytes(data);
+    return true;
 }
 
 /* Bit i of a byte becomes byte i. */
@@ -135,8 +134,8 @@ static int write_cells(dense_out *d, unsigned threads)
 {
     const crew_work work = {.count = (size_t)((d->rows + d->step - 1) / d->step),
                             .threads = d->has_places ? threads : 1,
-                            .begin = make_room,
-                            .end = free,
+                            .place_bytes = sizeof(dense_room) + room_bytes(d) + room_bytes(d) / BLOCK + 2,
+                            .begin = begin_room,
                             .step = put_step};
     if (d->has_places && !fflush(d->to))
         d->start = (uint64_t)ftello(d->to);

@@ -149,13 +149,15 @@ void pages_free(void *room, size_t taken)
 
 int crew_do(const crew_work *work, void *data)
 {
-    void *const place = work->begin ? work->begin(data) : data;
-    int code = place ? 0 : MESSAGE_NO_MEMORY;
+    void *const place = work->place_bytes ? calloc(1, work->place_bytes) : data;
+    int code = place && (!work->begin || work->begin(data, place)) ? 0 : MESSAGE_NO_MEMORY;
     for (size_t n = 0; !code && (work->find ? work->find(data, place, n) : n < work->count); n++) {
         code = work->step(data, place, n);
         code = code || !work->tell ? code : work->tell(data, place, n);
     }
     if (place && work->end)
         work->end(place);
+    if (work->place_bytes)
+        free(place);
     return code;
 }
