@@ -7,6 +7,7 @@
 
 #include "console/message.h"
 #include "console/system.h"
+#include "read/mesh.h"
 #include "tribox_threads.h"
 
 /* ------------------------------------------------------------------------------------------------------------------------ lists */
@@ -113,32 +114,27 @@ static bool start_room(void *about, void *room)
 /* The triangles of a list as nine streams. */
 static tribox_soup gather_soup(const tribox_soup *from, const uint32_t *list, size_t count, float *to)
 {
-    tribox_soup soup = {.count = count};
     const float *const *const axis[3] = {from->x, from->y, from->z};
-    const float **const own[3] = {soup.x, soup.y, soup.z};
-    for (int a = 0; a < 3; a++)
-        for (int v = 0; v < 3; v++, to += count) {
-            for (size_t i = 0; i < count; i++)
-                to[i] = axis[a][v][list[i]];
-            own[a][v] = to;
-        }
-    return soup;
+    for (size_t k = 0; k < 9; k++)
+        for (size_t i = 0; i < count; i++)
+            to[k * count + i] = axis[k / 3][k % 3][list[i]];
+    return soup_of_streams(to, count, count);
 }
 
 /* As a mesh with the same vertices. */
 static tribox_mesh gather_mesh(const tribox_mesh *from, const uint32_t *list, size_t count, uint32_t *to)
 {
-    tribox_mesh mesh = *from;
+    tribox_mesh own = *from;
     const uint32_t *const corners = from->indices;
     for (size_t i = 0; i < count; i++)
         for (size_t v = 0; v < 3; v++) {
             const size_t corner = 3 * (size_t)list[i] + v;
             to[3 * i + v] = corners ? corners[corner] : (uint32_t)corner;
         }
-    mesh.indices = to;
-    mesh.index_bytes = sizeof *to;
-    mesh.count = count;
-    return mesh;
+    own.indices = to;
+    own.index_bytes = sizeof *to;
+    own.count = count;
+    return own;
 }
 
 static tribox_status fill_window(const parity *p, parity_room *r, size_t beam, const tribox_window *w, beam_found *found)
@@ -150,8 +146,8 @@ static tribox_status fill_window(const parity *p, parity_room *r, size_t beam, c
         const tribox_soup soup = gather_soup(t->soup, list, count, (float *)(void *)r->numbers);
         return tribox_fill_parity_window(&soup, &t->grid, w, r->surface, r->scratch, r->solid, &found->inside, &found->odd_rows);
     }
-    const tribox_mesh mesh = gather_mesh(t->mesh, list, count, r->numbers);
-    return tribox_mesh_fill_parity_window(&mesh, &t->grid, w, r->surface, r->scratch, r->solid, &found->inside, &found->odd_rows);
+    const tribox_mesh own = gather_mesh(t->mesh, list, count, r->numbers);
+    return tribox_mesh_fill_parity_window(&own, &t->grid, w, r->surface, r->scratch, r->solid, &found->inside, &found->odd_rows);
 }
 
 /* Tiles share the rows of the beam. */

@@ -48,7 +48,7 @@ typedef struct ordering {
     void *scratch;
     uint32_t *order;
     size_t parts, first[PARTS_MAX + 1]; /* part p: places first[p] .. first[p + 1] - 1 */
-    float *streams[9];                  /* in order: x of the three vertices, then y, then z */
+    float *streams;                     /* in order: nine of them, one behind the other */
 } ordering;
 
 static tribox_status start(const void *data, size_t first, size_t count)
@@ -98,8 +98,8 @@ static tribox_status gather(const void *data, size_t first, size_t count)
 {
     const ordering *const o = data;
     float *to[9];
-    for (int k = 0; k < 9; k++)
-        to[k] = o->streams[k] + first;
+    for (size_t k = 0; k < 9; k++)
+        to[k] = o->streams + k * o->m->triangles + first;
     return tribox_soup_gather(&o->m->soup, o->order, first, count, to, to + 3, to + 6);
 }
 
@@ -107,20 +107,15 @@ static bool gather_streams(ordering *o, unsigned threads)
 {
     mesh *const m = o->m;
     const size_t count = m->soup.count;
-    float *const coordinates = pages_take(9 * count * sizeof *coordinates);
-    tribox_soup ordered = {.count = count};
-    for (size_t k = 0; coordinates && k < 9; k++) {
-        o->streams[k] = coordinates + k * count;
-        (k < 3 ? ordered.x : k < 6 ? ordered.y : ordered.z)[k % 3] = o->streams[k];
-    }
-    if (!coordinates || share(count, threads, gather, o)) {
-        pages_free(coordinates, 9 * count * sizeof *coordinates);
+    o->streams = pages_take(9 * count * sizeof *o->streams);
+    if (!o->streams || share(count, threads, gather, o)) {
+        pages_free(o->streams, 9 * count * sizeof *o->streams);
         return false;
     }
     mesh_drop_floats(m);
-    m->coordinates = coordinates;
+    m->coordinates = o->streams;
     m->capacity = count;
-    m->soup = ordered;
+    m->soup = soup_of_streams(o->streams, count, count);
     return true;
 }
 

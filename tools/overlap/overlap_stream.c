@@ -38,16 +38,11 @@ static bool begin_block(void *data, void *place)
 {
     const stream *const s = data;
     block *const b = place;
-    tribox_soup *const soup = &b->triangles.soup;
     b->read.bytes = b->bytes;
+    b->triangles.soup = soup_of_streams(b->coordinates[0], TRIANGLE_BLOCK, 0);
     b->triangles.doubles = (tribox_mesh){.positions = b->positions, .position_bytes = sizeof *b->positions};
     for (int k = 0; k < 9; k++)
         b->streams[k] = b->coordinates[k];
-    for (int v = 0; v < 3; v++) {
-        soup->x[v] = b->streams[v];
-        soup->y[v] = b->streams[3 + v];
-        soup->z[v] = b->streams[6 + v];
-    }
     b->bits = (masks){b->words[0], s->r->wants_inside ? b->words[1] : NULL};
     return true;
 }

@@ -39,6 +39,15 @@ bool polygon_cut(const indexed_mesh *m, const uint32_t *face, size_t corners, ui
 
 void indexed_mesh_free(indexed_mesh *m);
 
+/* Nine streams, each so far behind the one before: x of the three vertices, then y, then z. */
+static inline tribox_soup soup_of_streams(const float *first, size_t apart, size_t count)
+{
+    tribox_soup soup = {.count = count};
+    for (size_t k = 0; k < 9; k++)
+        (k < 3 ? soup.x : k < 6 ? soup.y : soup.z)[k % 3] = first + k * apart;
+    return soup;
+}
+
 /* What a look at triangles finds, whichever their order. */
 typedef struct triangles_seen {
     uint64_t not_finite, first_not_finite; /* how many have a NaN or infinite coordinate; UINT64_MAX for none */

@@ -21,27 +21,17 @@ void mesh_streams(const mesh *m, size_t first, float *to[9])
         to[k] = m->coordinates + k * m->capacity + first;
 }
 
-static void point_streams(float *coordinates, size_t capacity, mesh *m)
-{
-    m->coordinates = coordinates;
-    m->capacity = capacity;
-    for (size_t v = 0; v < 3; v++) {
-        m->soup.x[v] = coordinates + v * capacity;
-        m->soup.y[v] = coordinates + (3 + v) * capacity;
-        m->soup.z[v] = coordinates + (6 + v) * capacity;
-    }
-}
-
 int mesh_make_room(const char *path, uint64_t count, mesh *m)
 {
     if (!count)
         return path ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
     float *const coordinates = count <= SIZE_MAX / TRIANGLE_BYTES ? pages_take((size_t)count * TRIANGLE_BYTES) : NULL;
-    if (coordinates)
-        point_streams(coordinates, (size_t)count, m);
-    if (coordinates || !path)
-        return coordinates ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
-    return message_failure("%s: out of memory for %" PRIu64 " triangles" MESH_TO_SORT, path, count);
+    if (!coordinates)
+        return !path ? EXIT_CODE_FAILURE : message_failure("%s: out of memory for %" PRIu64 " triangles" MESH_TO_SORT, path, count);
+    m->coordinates = coordinates;
+    m->capacity = (size_t)count;
+    m->soup = soup_of_streams(coordinates, m->capacity, m->soup.count);
+    return EXIT_CODE_OK;
 }
 
 void mesh_drop_floats(mesh *m)
