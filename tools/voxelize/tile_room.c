@@ -88,21 +88,19 @@ static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], co
     return taker->sink->take(taker->sink->data, at, bits, of_cells);
 }
 
-/* Some tiles of a mesh in memory. */
-static tribox_status run_lists(const tile_set *set, const tribox_tiles *tiles, void *scratch, const tile_sink *to,
-                               tribox_report *report)
+/* Some tiles of the triangles of a task: of these lists, and with these numbers where they are not NULL. */
+static tribox_status run_lists(const voxel_task *t, const tribox_tiles *tiles, const size_t *starts, const uint32_t *list,
+                               const uint32_t *numbers, void *scratch, const tile_sink *to, tribox_report *report)
 {
-    const voxel_task *const t = &set->task;
-    const size_t *const starts = set->starts + tiles->first;
     tile_sink own = *to;
     const tribox_sink sink = {take_brick, &own};
-    ids_taker taker = {.sink = to};
+    ids_taker taker = {to, numbers};
     const tribox_ids_sink ids = {take_ids, &taker};
-    if (set->task.has_ids)
-        return t->soup ? tribox_bricks_ids(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, &ids, report)
-                       : tribox_mesh_bricks_ids(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, &ids, report);
-    return t->soup ? tribox_bricks(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, &sink, report)
-                   : tribox_mesh_bricks(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, &sink, report);
+    if (t->has_ids)
+        return t->soup ? tribox_bricks_ids(t->soup, &t->grid, tiles, starts, list, t->options, scratch, &ids, report)
+                       : tribox_mesh_bricks_ids(t->mesh, &t->grid, tiles, starts, list, t->options, scratch, &ids, report);
+    return t->soup ? tribox_bricks(t->soup, &t->grid, tiles, starts, list, t->options, scratch, &sink, report)
+                   : tribox_mesh_bricks(t->mesh, &t->grid, tiles, starts, list, t->options, scratch, &sink, report);
 }
 
 /* Records from .. to - 1 of a partition, whose triangles lie one after the other. */
@@ -151,17 +149,12 @@ static bool read_batch(const tile_set *set, const batch *b, tile_room *room)
 static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, const tile_sink *to, tribox_report *report)
 {
     const tribox_tiles tiles = {set->tile, b->first, b->end - b->first};
-    tile_sink own = *to;
+    voxel_task task = set->task;
+    task.soup = NULL;
+    task.mesh = &b->mesh;
     set_starts(set, b, room->starts);
-    if (!read_batch(set, b, room))
-        return TRIBOX_BAD_VERTEX;
-    if (set->task.has_ids) {
-        ids_taker taker = {to, room->numbers};
-        return tribox_mesh_bricks_ids(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch,
-                                      &(tribox_ids_sink){take_ids, &taker}, report);
-    }
-    return tribox_mesh_bricks(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch,
-                              &(tribox_sink){take_brick, &own}, report);
+    return read_batch(set, b, room) ? run_lists(&task, &tiles, room->starts, room->list, room->numbers, room->scratch, to, report)
+                                    : TRIBOX_BAD_VERTEX;
 }
 
 tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tile_sink *sink,
@@ -173,7 +166,8 @@ tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_roo
         return TRIBOX_OK;
     if (!set->from) {
         const size_t first = (size_t)set->records[from].tile, last = (size_t)set->records[to - 1].tile;
-        return run_lists(set, &(tribox_tiles){set->tile, first, last - first + 1}, room->scratch, sink, report);
+        const tribox_tiles tiles = {set->tile, first, last - first + 1};
+        return run_lists(&set->task, &tiles, set->starts + first, set->list, NULL, room->scratch, sink, report);
     }
     for (batch b = {.to = from}; !status && b.to < to;) {
         tribox_report one = {0, 0};
