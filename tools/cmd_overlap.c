@@ -118,12 +118,10 @@ static int check_oriented(const request *r)
     return EXIT_CODE_OK;
 }
 
-static bool is_stdout(const char *path) { return path && file_out_is_stdout(path); }
-
 /* Both may go elsewhere than the report does. */
 static int check_crop(request *r)
 {
-    const bool is_part = is_stdout(r->crop_paths[CROP_PART]), is_rest = is_stdout(r->crop_paths[CROP_REST]);
+    const bool is_part = file_out_is_stdout(r->crop_paths[CROP_PART]), is_rest = file_out_is_stdout(r->crop_paths[CROP_REST]);
     const bool is_free = !is_part && !is_rest, is_crop = r->crop_paths[CROP_PART] || r->crop_paths[CROP_REST];
     r->has_report = is_free && (r->wants_json || !(is_crop && r->is_quiet));
     if (!is_crop)

@@ -307,8 +307,7 @@ static void advise(const voxelize_request *r)
     if (r->has_shard)
         snprintf(advice, sizeof advice, "nothing was written; run shard %u of %u again, parts that are there stay good", r->shard,
                  r->shards);
-    interrupt_advise(r->result.out_path && file_out_is_stdout(r->result.out_path) ? "the output is not whole; run it again"
-                                                                                  : advice);
+    interrupt_advise(file_out_is_stdout(r->result.out_path) ? "the output is not whole; run it again" : advice);
 }
 
 int voxelize_work(const voxelize_request *r)

@@ -9,7 +9,7 @@
 #include "console/message.h"
 #include "files/files.h"
 
-bool file_out_is_stdout(const char *path) { return !strcmp(path, "-"); }
+bool file_out_is_stdout(const char *path) { return path && !strcmp(path, "-"); }
 
 static bool is_file(const char *path) { return path && !file_out_is_stdout(path); }
 

@@ -15,7 +15,7 @@ typedef struct file_out {
     char *target, *beside;
 } file_out;
 
-/* "-", which is written as it comes. */
+/* "-", which is written as it comes; false for NULL. */
 bool file_out_is_stdout(const char *path);
 
 /* The names that a command writes, and the options that give them; NULL for none. */
