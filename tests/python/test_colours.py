@@ -57,7 +57,7 @@ class FirstSteps(cases.TestCase):
     @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
     def test_example(self):
         """With a matplotlib and without it runs, and what it prints and writes is of its torus."""
-        for matplotlib, drawn in ("raise ImportError", b"\x89PNG"), (DRAWN, b"draw"):
+        for matplotlib, drawn in ("raise ImportError", False), (DRAWN, True):
             with tempfile.TemporaryDirectory() as folder:
                 with open(os.path.join(folder, "matplotlib.py"), "w") as file:
                     file.write(matplotlib)
@@ -65,12 +65,9 @@ class FirstSteps(cases.TestCase):
                 script = os.path.join(EXAMPLES, "..", "python", "first_steps.py")
                 done = subprocess.run([sys.executable, "-B", "-W", "error", script], cwd=folder, capture_output=True, text=True,
                                       timeout=120, env=environment, check=False)
-                if "without libpng" in done.stderr:
-                    continue
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertRegex(done.stdout, r"(?s)1800 vertices of float32, 3600 faces.*\n\d+ triangles overlap.*'inside': \d+")
-                with open(os.path.join(folder, "torus.png"), "rb") as file:
-                    self.assertEqual(file.read(4), drawn)
+                self.assertEqual(os.path.exists(os.path.join(folder, "torus.png")), drawn)
                 surface, solid = (tribox.Voxels.load(os.path.join(folder, name)) for name in ("torus.npz", "torus.nrrd"))
                 self.assert_same(np.asarray(surface), solid.labels() == 1)
 
