@@ -37,11 +37,13 @@ static bool make_room(merging *g)
     return g->vertices && g->places && g->faces;
 }
 
+/* 0 and -0 are one place: a sum with 0 is never -0. */
 static void put_vertex(unsigned char *to, const double u[NUMBERS], bool is_double)
 {
-    const float narrow[NUMBERS] = {(float)u[0], (float)u[1], (float)u[2]};
-    memcpy(to, is_double ? (const void *)u : narrow, NUMBERS * (is_double ? sizeof *u : sizeof *narrow));
-    little_turn(to, NUMBERS, is_double ? sizeof *u : sizeof *narrow);
+    const double wide[NUMBERS] = {u[0] + 0, u[1] + 0, u[2] + 0};
+    const float narrow[NUMBERS] = {(float)wide[0], (float)wide[1], (float)wide[2]};
+    memcpy(to, is_double ? (const void *)wide : narrow, NUMBERS * (is_double ? sizeof *wide : sizeof *narrow));
+    little_turn(to, NUMBERS, is_double ? sizeof *wide : sizeof *narrow);
 }
 
 /* The number of the vertex that lies behind all others: that of one before it, or a new one. */
