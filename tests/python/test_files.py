@@ -170,7 +170,7 @@ class Files(cases.TestCase):
         self.program("voxelize", path, "--cell", "0.1", "--colours", "-o", program)
         self.assert_same(tribox.Voxels.load(program).colors, colors[ids.ids])
         many, out = ids.with_colors(self.pick.integers(0, 256, (ids.sum(), 3)).astype(np.uint8)), Path(self.folder, "many.vox")
-        with self.assertWarnsRegex(UserWarning, f"^{out} has the 255 colours of its palette") as warned:
+        with self.assertWarnsRegex(UserWarning, f"^{out}: the cells have more than the 255 colours") as warned:
             many.save(out)
         self.assertEqual(warned.filename, __file__)
         refuse, wrong = self.refuse, tribox.InputError

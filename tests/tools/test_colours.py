@@ -407,7 +407,7 @@ class Palette(Colours):
         content = ply(points, [(n, n, n) for n in range(count)], face_colours=colours, form="binary_little_endian")
         mesh, out = self.write("points.ply", content), self.path("points.vox")
         self.succeed("voxelize", mesh, "--cell", "1", "--origin", "0,0,0", "--size", "200,%d,1" % (count // 200 + 1), "--colours",
-                     "-q", "-o", out, note=None if count <= 255 else "note: .* has the 255 colours of its palette for more")
+                     "-q", "-o", out, note=None if count <= 255 else "note: .*more than the 255 colours of its palette")
         found = readers.palette_of(out)
         self.assertEqual(set(found), {(n % 200, n // 200, 0) for n in range(count)})
         return [(found[n % 200, n // 200, 0], colour) for n, colour in enumerate(colours)]

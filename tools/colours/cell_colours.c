@@ -229,7 +229,7 @@ int cell_colours_make_palette(cell_colours *c, const char *path)
         return message_failure("%s: out of memory for its palette", path);
     if (c->palette.place)
         message_say(
-            "note: %s has the %d colours of its palette for more that its cells have: those close to one another are their mean",
+            "note: %s: the cells have more than the %d colours of its palette; colours close to one another became their mean",
             path, c->palette.count);
     return EXIT_CODE_OK;
 }
