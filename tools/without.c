@@ -22,7 +22,7 @@ static int refuse_mesh(const char *path)
 {
     return message_failure("%s: not a file of " MESH_ENDINGS
                            ", and this program was built without libassimp, which reads other formats; "
-                           "install libassimp-dev and build it again, or save the mesh as PLY",
+                           "build it with libassimp-dev, or save the mesh as PLY",
                            path);
 }
 

@@ -128,7 +128,7 @@ def ending_of(path, cells):
         if one is not None and what not in HOLDS[ending]:
             others = ", ".join(other for other, held in HOLDS.items() if what in held)
             raise InputError(f"path = {shown(path)}; {ending} holds no {what}; give a name that ends in {others}, or save "
-                             "tribox.Voxels(voxels.words, voxels.grid), the cells alone")
+                             "tribox.Voxels(voxels.words, voxels.grid, voxels.window), the cells alone")
     return ending
 
 

@@ -92,11 +92,11 @@ def set_cells(places, size):
 
 def load_npy(path, grid):
     array = np.load(path, allow_pickle=False)
-    if array.dtype.str == IDS.dtype and array.shape[1:] == (3,):
+    if array.dtype.kind in "iu" and array.ndim == 2 and array.shape[1] == 3:
         return set_cells(array, grid.size), grid
     if array.shape != grid.size[::-1] or array.dtype.str not in (OCCUPIED.dtype, LABELS.dtype, IDS.dtype):
         raise ValueError(f"{array.dtype} of shape {array.shape}, and all cells have shape {grid.size[::-1]}; of a window, "
-                         "tribox.Voxels(numpy.load(path), grid, window) makes Voxels")
+                         "tribox.Voxels(cells, grid, window) makes Voxels of an array of bool")
     return array, grid
 
 
@@ -319,7 +319,7 @@ def check_grid(path, grid, own):
     numbers = zip((*grid.origin, *grid.cell), (*own.origin, *own.cell), 2 * own.cell)
     if grid.size == own.size and all(abs(given - found) <= 2 * np.spacing(abs(found) + cell) for given, found, cell in numbers):
         return grid
-    raise InputError(f"grid = {shown(grid)}; {path} has {own}; give that, or leave grid out")
+    raise InputError(f"grid = {shown(grid)}; {path} has {own}; give that")
 
 
 def load_bricks(path):

@@ -46,7 +46,8 @@ def run(what, *arguments, shown_as=None, stacklevel):
     if done.returncode == 2:
         raise Error(f"{what} takes a program tribox of this version, and {path} is of another: {'; '.join(said)}")
     if done.returncode:
-        raise InputError("; ".join(said) or f"{path} ended with {done.returncode}")
+        more = "; TRIBOX_PROGRAM may name a program that has it" if "built without" in "".join(said) else ""
+        raise InputError(("; ".join(said) or f"{path} ended with {done.returncode}") + more)
     for line in said:
         warnings.warn(line, stacklevel=stacklevel)
 
@@ -55,8 +56,8 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
     """Reads a file of a mesh as the program tribox does: PLY, OBJ, STL, OFF, raw triangles, and by libassimp glTF and others.
 
     Returns a Mesh, which every call takes: vertices are float32, or float64 where these do not hold the numbers of the file, each
-    place once; faces are triangles, into which polygons are cut. mesh.face_colors are the colours of the faces, uint8 of shape
-    (n, 3), those of PLY, OFF, materials and corners; None if the file has none.
+    place of a triangle once; faces are triangles, into which polygons are cut. mesh.face_colors are the colours of the faces, uint8
+    of shape (n, 3), those of PLY, OFF, materials and corners; None if the file has none.
 
     It runs the program, on all processors: the one that the environment variable TRIBOX_PROGRAM names, that of the wheel, which is
     without libassimp, or the one on PATH.

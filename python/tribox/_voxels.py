@@ -292,7 +292,7 @@ class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
 
         .npz: the grid and the bricks that are not empty: numpy.load(path) has at, bits, origin, cell, size and shift, and ids,
         inside (the bits of the cells inside) or colours. .npy: an array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for
-        ParaView. These four have labels as uint8 and ids as int32 of all cells, -1 where none is set, but for .npz.
+        ParaView. In .npy, .nrrd and .vti, labels are uint8 and ids int32 of every cell, -1 where it is clear.
 
         .vdb (OpenVDB; ids, labels, colors), .vox (MagicaVoxel; labels, colors of a palette), .ply, .obj and .glb (faces; colors),
         .binvox (cubes) and .raw (bits; ids, labels) are written by the program tribox, see help(tribox.read). That of the wheel
