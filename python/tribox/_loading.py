@@ -306,7 +306,8 @@ def load_cells(path, grid):
     except Exception as error:  # whatever the damage leads to
         if isinstance(error, Error) and str(error).startswith(path):
             raise
-        raise InputError(f"{path}: not a file of cells as tribox writes them, or a damaged one: {error}; "
+        why = f"it has no {error}" if isinstance(error, KeyError) else error
+        raise InputError(f"{path}: not a file of cells as tribox writes them, or a damaged one: {why}; "
                          f"{'give the grid that it was saved with, or ' if lacks else ''}save the cells anew, "
                          "best as .npz") from error
     return cells, check_grid(path, grid, own), colors

@@ -188,7 +188,8 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
         cells inside, and files hold the labels. Not with into.
     threads: how many may share the work, never more than there are processors; used if they save time: with many triangles, or with
         many cells and few triangles. 1 by default, 0 for one on each processor. The answers do not depend on it.
-    into: Voxels of the same grid and window, to which the cells are added, and which are returned.
+    into: Voxels of the same grid and window, to which the cells are added, and which are returned. They lose their ids, labels and
+        colors. Nothing else changes Voxels in place.
     ids: True for Voxels whose ids say which triangle is in a cell: for each set cell the lowest number of a triangle that overlaps
         it, in the order of cells(). A look-up turns ids into colours, materials, parts: face_colors[voxels.ids]. Only for the
         surface, without fill and into. It takes two to three times as long, and four bytes a cell for some layers at a time.
