@@ -45,10 +45,14 @@ def corner(name, point):
         raise InputError(f"{error}, as one box is asked about here; tribox.Index(triangles).lists(lo, hi) takes many") from None
 
 
+def check_unturned(lo):
+    if any(isinstance(box, OrientedBox) for box in (lo if isinstance(lo, (list, tuple)) else [lo])):
+        raise InputError(f"lo = {shown(lo)}; this call takes a box from lo to hi; overlap, find and crop take an OrientedBox")
+
+
 def box_of(lo, hi):
     """One box; hi is None where lo has both corners."""
-    if isinstance(lo, OrientedBox):
-        raise InputError(f"lo = {shown(lo)}; this call takes a box from lo to hi; overlap, find and crop take an OrientedBox")
+    check_unturned(lo)
     if hi is None:
         try:
             lo, hi = lo
@@ -74,6 +78,7 @@ def columns(name, bounds):
 
 def bounds_of_boxes(lo, hi):
     """The lower and the upper bounds of many boxes, of shape (3, m); both of float32 if that holds them, else of float64."""
+    check_unturned(lo)
     if hi is None:
         both = numbers("lo", lo)
         if both.ndim != 3 or both.shape[1:] != (2, 3):

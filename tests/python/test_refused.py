@@ -105,6 +105,9 @@ def wrong_bounds():
     for call, first in ((tribox.overlap_boxes, [one]), (INDEX.lists, [])):
         yield InputTypeError, None, "lo is ndarray of object; give real numbers", call, [*first, bounds.astype(object), bounds], {}
         yield InputTypeError, None, "hi is str", call, [*first, bounds, "hi"], {}
+        turned = tribox.OrientedBox(LO, HI, EYE)
+        for odd in (turned, [turned, turned]):
+            yield InputError, None, "overlap, find and crop take an OrientedBox", call, [*first, odd], {}
         for odd in (bounds[:2], bounds[0], bounds[None], 3, np.zeros((5, 4))):
             pattern = r"^hi has shape .*; give \(m, 3\), a row for each box, or \(3, m\)"
             yield InputError, None, pattern, call, [*first, bounds, odd], {}
