@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._arguments import options_of, range_of
-from ._errors import Brief, InputError
+from ._errors import Brief, InputError, path_of
 from ._files import save_bricks
 from ._grids import Grid, grid_given
 from ._loading import load_bricks
@@ -87,7 +87,7 @@ class Bricks(metaclass=Brief):
 
         Formats that hold all cells, such as .npy, take memory for these.
         """
-        save_bricks(self, os.fspath(path))
+        save_bricks(self, path_of(path))
 
 
 def joined(bricks, grid):

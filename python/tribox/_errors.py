@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import List, Optional
 
 from ._ffi import ffi
@@ -49,6 +50,12 @@ def shown(value):
         return f"<{type(value).__name__}>"
     text = text.encode("ascii", "backslashreplace").decode()
     return text if len(text) <= SHOWN_MAX else f"{text[:SHOWN_MAX]}..."
+
+
+def path_of(path, advice=""):
+    if not isinstance(path, (str, os.PathLike)):
+        raise InputTypeError(f"path = {shown(path)}; give the path of a file{advice}")
+    return os.fspath(path)
 
 
 def named(arguments):

@@ -11,7 +11,7 @@ from math import prod
 
 import numpy as np
 
-from ._errors import Error, InputError, shown
+from ._errors import Error, InputError, path_of, shown
 from ._files import HOLDS, IDS, LABELS, OCCUPIED
 from ._grids import Grid
 from ._masks import WORD, row_words
@@ -44,12 +44,6 @@ def read(path):
             if isinstance(error, OSError) and error.errno not in (None, errno.EINVAL):
                 raise
             raise InputError(f"{path}: not a .npz file of bricks, or a damaged one: {error}") from error
-
-
-def path_of(path, advice=""):
-    if not isinstance(path, (str, os.PathLike)):
-        raise InputError(f"path = {shown(path)}; give the path of a file{advice}")
-    return os.fspath(path)
 
 
 def octets_of(path):

@@ -12,7 +12,7 @@ from typing import Union
 
 import numpy as np
 
-from ._errors import Error, InputError, shown
+from ._errors import Error, InputError, path_of
 from ._triangles import Mesh, mesh_of
 
 
@@ -28,8 +28,8 @@ def program(what):
     return path
 
 
-def run(what, *arguments, shown_as=None, stacklevel):
-    """Runs it to its end. Its failure becomes an InputError, and what it warns of warnings of the caller's.
+def run(what, out, *arguments, shown_as=None, stacklevel):
+    """Runs it to its end, when it has written the file out. Its failure becomes an InputError, and what it warns of warnings of the caller's.
 
     shown_as: a name in what it says, and another to be said in place of that.
     """
@@ -45,6 +45,8 @@ def run(what, *arguments, shown_as=None, stacklevel):
         said = [line.replace(*shown_as) for line in said]
     if done.returncode == 2:
         raise Error(f"{what} takes a program tribox of this version, and {path} is of another: {'; '.join(said)}")
+    if not done.returncode and not (os.path.exists(out) and os.path.getsize(out)):
+        raise Error(f"{what} takes the program tribox, and {path}, which wrote nothing, is another")
     if done.returncode:
         more = "; TRIBOX_PROGRAM may name a program that has it" if "built without" in "".join(said) else ""
         raise InputError(("; ".join(said) or f"{path} ended with {done.returncode}") + more)
@@ -65,14 +67,12 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
     Raises InputError for what is no mesh, OSError for a file that is not there, and Error without the program. What the program
     warns of, such as triangles with a NaN, are warnings.
     """
-    if not isinstance(path, (str, os.PathLike)):
-        raise InputError(f"path = {shown(path)}; give the path of a mesh file")
+    name = path_of(path)
     with open(path, "rb"):  # or the reason why not
         pass
     with tempfile.TemporaryDirectory(prefix="tribox-") as folder:
         out = os.path.join(folder, "mesh.npz")
-        name = os.fspath(path)
-        run("tribox.read", "info", "--quiet", "--out", out, "--", "./-" if name == "-" else name, stacklevel=3)  # - is stdin
+        run("tribox.read", out, "info", "--quiet", "--out", out, "--", "./-" if name == "-" else name, stacklevel=3)  # - is stdin
         with np.load(out, allow_pickle=False) as arrays:
             return mesh_of(arrays["vertices"], arrays["faces"], arrays["colours"] if "colours" in arrays.files else None)
 
@@ -84,5 +84,5 @@ def write_by_program(file, write_npz, path, ending):
         with open(cells, "xb") as npz:
             write_npz(npz)
         file.close()
-        run(f"a file that ends in {ending}", "merge", cells, "--quiet", "--out-format", ending[1:], "--out", file.name,
+        run(f"a file that ends in {ending}", file.name, "merge", cells, "--quiet", "--out-format", ending[1:], "--out", file.name,
             shown_as=(file.name, path), stacklevel=8)

@@ -12,12 +12,12 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import array_of, wholes
-from ._errors import Brief, InputError, InputTypeError, shown
+from ._errors import Brief, InputError, InputTypeError, path_of, shown
 from ._ffi import ffi
 from ._files import save_voxels
 from ._grids import SIZE_MAX, Grid, grid_of
 from ._library import lib
-from ._loading import check_grid, load_cells, path_of
+from ._loading import check_grid, load_cells
 from ._masks import BOOL, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
 from ._triangles import point
 from ._typing import GridLike, Window
@@ -304,7 +304,7 @@ class Voxels(NDArrayOperatorsMixin, metaclass=BriefArray):
         the format cannot hold; OSError if the file cannot be written; Error without the program. What had the name before is
         then still there.
         """
-        save_voxels(self, os.fspath(path))
+        save_voxels(self, path_of(path))
 
     @staticmethod
     def load(path: Union[str, "os.PathLike[str]"], grid: Optional[GridLike] = None) -> Voxels:
