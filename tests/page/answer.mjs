@@ -40,6 +40,17 @@ export async function settled(page) {
     }
 }
 
+/** Asserts again until it holds or ten seconds have passed: a picture is drawn when the machine has time. */
+export async function soon(check) {
+    for (const end = Date.now() + 10000; ; await new Promise((done) => setTimeout(done, 100))) {
+        try {
+            return await check();
+        } catch (error) {
+            if (Date.now() > end) throw error;
+        }
+    }
+}
+
 /** What the program prints as JSON. words: after `tribox`, with the mesh as the second. */
 export function ask(words, mesh) {
     const [command, , ...options] = words;

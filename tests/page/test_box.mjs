@@ -157,8 +157,9 @@ export async function indexAnswersAlike() {
 
 export async function playsAndStops() {
     const page = await usualPage();
+    const { command } = await answerOf(page);
     await page.click('#play');
-    await page.waitForTimeout(600);
+    await page.waitForFunction((old) => document.getElementById('command').textContent !== old, command);
     assert.equal(await page.getAttribute('#play', 'aria-pressed'), 'true');
     await page.click('#play');
     await settled(page);

@@ -1,6 +1,6 @@
 // test_looks.mjs - dark and light, a phone, names for those who cannot see, and pixels of every class.
 import assert from 'node:assert/strict';
-import { settled } from './answer.mjs';
+import { settled, soon } from './answer.mjs';
 import { DESK, openPage, PHONE, usualPage } from './browser.mjs';
 
 const themeOf = (page) => page.evaluate(() => document.documentElement.dataset.theme);
@@ -35,8 +35,7 @@ export async function classesAreDrawn() {
     const before = await pixelsLike(page, 'cells'); // the green handle
     await page.check('#cells');
     await page.waitForFunction(() => document.getElementById('cells-note').textContent.includes(' of '));
-    await page.waitForTimeout(300);
-    assert.ok((await pixelsLike(page, 'cells')) > before + 10000, 'cells');
+    await soon(async () => assert.ok((await pixelsLike(page, 'cells')) > before + 10000, 'cells'));
 }
 
 export async function ringsAreDrawn() {
@@ -44,32 +43,28 @@ export async function ringsAreDrawn() {
     assert.ok((await pixelsLike(page, 'unlike')) < 50);
     await page.click('#accuracy [value=fast]');
     await page.waitForFunction(() => document.getElementById('unlike-title').textContent.startsWith('FAST'));
-    await page.waitForTimeout(300);
-    assert.ok((await pixelsLike(page, 'unlike')) > 2000);
+    await soon(async () => assert.ok((await pixelsLike(page, 'unlike')) > 2000));
 }
 
 /** What is drawn in place of a million triangles covers what a few thousand of the same shape do, and little else. */
 export async function coarserMeshesAreWhole() {
-    const covered = [];
-    for (const scene of ['coarse', 'million']) {
-        const page = await openPage({ query: `?scene=${scene}`, options: { ...DESK, reducedMotion: 'reduce' } });
-        await page.waitForTimeout(1500);
-        covered.push(await pixelsLike(page, 'missed'));
-        await page.context().close();
-    }
-    assert.ok(Math.abs(covered[1] / covered[0] - 1) < 0.1, `${covered}`);
+    const open = (scene) => openPage({ query: `?scene=${scene}`, options: { ...DESK, reducedMotion: 'reduce' } });
+    const pages = [await open('coarse'), await open('million')];
+    await soon(async () => {
+        const [coarse, million] = [await pixelsLike(pages[0], 'missed'), await pixelsLike(pages[1], 'missed')];
+        assert.ok(Math.abs(million / coarse - 1) < 0.1, `${million} and ${coarse} pixels`);
+    });
 }
 
 /** The mesh is above the counts, on a desk and on a phone. */
 export async function countsCoverNothing() {
     for (const viewport of [{ width: 390, height: 844 }, { width: 800, height: 1000 }, { width: 1400, height: 900 }]) {
         const page = await openPage({ query: '?step=0', options: { viewport, reducedMotion: 'reduce', colorScheme: 'dark' } });
-        await page.waitForTimeout(400);
         const clip = await page.locator('.answer').boundingBox();
         await page.addStyleTag({ content: '.answer { visibility: hidden }' });
         for (const name of ['missed', 'straddling', 'inside']) {
+            await soon(async () => assert.ok((await pixelsLike(page, name)) > 100, name));
             assert.equal(await pixelsLike(page, name, clip), 0, `${viewport.width}: ${name}`);
-            assert.ok((await pixelsLike(page, name)) > 100, name);
         }
         await page.context().close();
     }

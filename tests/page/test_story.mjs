@@ -4,7 +4,7 @@ import { axesOf } from '../../examples/web/src/axes.js';
 import { scenes } from '../../examples/web/src/scenes/scenes.js';
 import { steps } from '../../examples/web/src/story.js';
 import { visitsOf } from '../../examples/web/src/visits.js';
-import { answerAfter, answerOf, ask, settled } from './answer.mjs';
+import { answerAfter, answerOf, ask, settled, soon } from './answer.mjs';
 import { DESK, openPage, SMALL } from './browser.mjs';
 import { raw } from './meshes.mjs';
 
@@ -102,14 +102,15 @@ export async function figuresAnswer() {
             await dragBy(page, i % 2 ? '.knob[aria-label^="Corner 1"] .grip' : '.body', x, y);
             await page.focus('.knob[aria-label^="Corner 2"]');
             for (const key of ['ArrowDown', 'PageUp', 'ArrowLeft']) await page.keyboard.press(key);
-            await page.waitForTimeout(300);
-            const { triangle, verdict, lit, isApart } = await figureOf(page), text = `${step}: ${triangle}`;
-            const hits = overlaps(triangle);
-            assert.equal(verdict.startsWith('They overlap'), hits, text);
-            if (hits) assert.ok(!isApart && lit === 0, text);
-            if (step === 4) assert.equal(lit, axesOf(triangle).filter(({ gap }) => gap > 0).length, text);
-            if (step === 1) assert.ok([2, 5, 8].every((z) => triangle[z] === 0), text);
-            seen.add(`${step} ${hits}`);
+            await soon(async () => {
+                const { triangle, verdict, lit, isApart } = await figureOf(page), text = `${step}: ${triangle}`;
+                const hits = overlaps(triangle);
+                assert.equal(verdict.startsWith('They overlap'), hits, text);
+                if (hits) assert.ok(!isApart && lit === 0, text);
+                if (step === 4) assert.equal(lit, axesOf(triangle).filter(({ gap }) => gap > 0).length, text);
+                if (step === 1) assert.ok([2, 5, 8].every((z) => triangle[z] === 0), text);
+                seen.add(`${step} ${hits}`);
+            });
         }
         await page.click('#reset');
         assert.deepEqual((await figureOf(page)).triangle, before.triangle);
@@ -124,8 +125,7 @@ export async function theAxisTurns() {
     await page.focus('[aria-label=Axis]');
     for (let i = 0; i < 15; i++) await page.keyboard.press('ArrowUp'); // 45 degrees
     assert.match((await figureOf(page)).verdict, /^A gap/);
-    await page.waitForTimeout(300); // for the next picture
-    assert.equal((await figureOf(page)).isApart, true);
+    await soon(async () => assert.equal((await figureOf(page)).isApart, true));
     await dragBy(page, '[aria-label=Axis] .grip', -200, -200);
     assert.match((await figureOf(page)).verdict, /^No gap/);
 }
@@ -141,8 +141,7 @@ export async function oneAxisAloneParts() {
         assert.match(verdict, /alone shows a gap/);
         await page.click(`article:nth-child(${step + 1}) .axes li:first-child button`);
         assert.match((await figureOf(page)).shown, /no gap/);
-        await page.waitForTimeout(300);
-        assert.equal((await figureOf(page)).isApart, false);
+        await soon(async () => assert.equal((await figureOf(page)).isApart, false));
     }
 }
 
@@ -155,18 +154,19 @@ export async function lanesLightUp() {
         await page.focus('#canvas');
         for (const key of keys) await page.keyboard.press(key);
         await settled(page);
-        await page.waitForTimeout(300);
-        const [box] = (await answerOf(page)).command.match(/--box=\S+/), rows = await page.$$eval('.lanes tr', (all) =>
-            all.map((row) => [...row.querySelectorAll('td')].map((cell) => cell.className)),
-        );
-        let before = [0, 1, 2, 3, 4, 5, 6, 7];
-        for (const [t, axes] of ['box', 'box,plane', 'box,plane,edges'].entries()) {
-            const left = ask(['overlap', 'MESH', box, '--axes', axes, '--list'], file).indices;
-            const open = t === 2 ? 'overlaps' : 'open';
-            const wanted = rows[t].map((_, i) => (left.includes(i) ? open : before.includes(i) ? 'apart' : 'done'));
-            assert.deepEqual(rows[t], wanted, `${box} ${axes}`);
-            before = left;
-        }
+        await soon(async () => {
+            const [box] = (await answerOf(page)).command.match(/--box=\S+/), rows = await page.$$eval('.lanes tr', (all) =>
+                all.map((row) => [...row.querySelectorAll('td')].map((cell) => cell.className)),
+            );
+            let before = [0, 1, 2, 3, 4, 5, 6, 7];
+            for (const [t, axes] of ['box', 'box,plane', 'box,plane,edges'].entries()) {
+                const left = ask(['overlap', 'MESH', box, '--axes', axes, '--list'], file).indices;
+                const open = t === 2 ? 'overlaps' : 'open';
+                const wanted = rows[t].map((_, i) => (left.includes(i) ? open : before.includes(i) ? 'apart' : 'done'));
+                assert.deepEqual(rows[t], wanted, `${box} ${axes}`);
+                before = left;
+            }
+        });
     }
 }
 
