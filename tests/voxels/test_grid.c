@@ -57,13 +57,13 @@ static double draw_number(random_source *r, int exponent)
     return ldexp(random_int(r, 2) ? number : -number, exponent);
 }
 
-/* Plane p such that the product is near the origin, far from it, or cancels it. */
+/* Plane p such that the product is near the origin, far from it, or cancels it; or the origin says to which side a tie goes. */
 static void draw_plane(random_source *r, double *from, double *cell, uint32_t *p)
 {
     const int exponent = random_int_between(r, -1074, 990);
     *p = (uint32_t)(random_bits(r) >> random_int_between(r, 32, 63));
     *cell = fabs(draw_number(r, exponent));
-    *from = draw_number(r, exponent + random_int_between(r, -70, 120 - (exponent > 900 ? exponent - 900 : 0)));
+    *from = draw_number(r, exponent + random_int_between(r, -140, 120 - (exponent > 900 ? exponent - 900 : 0)));
     if (!random_int(r, 4))
         *from = -(*cell * *p) * (1 + random_int_between(r, -2, 2) * DBL_EPSILON);
     if (!random_int(r, 50))
