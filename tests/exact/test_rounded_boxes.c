@@ -229,15 +229,16 @@ static void ask(random_source *r, const beside_box *b, const char *kernel)
     }
 }
 
-/* What FAST takes: C says where its middle is, as far as floats can, and H is longer by one float or none. */
-static void check_fast_box(const tribox_box *box, bool is_box_asked)
+/* The origin (PROOFS.md 3.9). For FAST, C says where the middle is, as far as floats can, and H is longer by one float or none. */
+static void check_floats_of(const tribox_box *box, bool is_box_asked)
 {
     tribox_rounded_box rounded;
     tribox_box_round(box, is_box_asked, true, &rounded);
     for (int a = 0; a < 3; a++) {
         const double lo = box->lo[a], hi = box->hi[a], middle = (double)rounded.fast.origin[a], least = (double)rounded.of.H[a];
-        const float H = rounded.fast.H[a];
+        const float H = rounded.fast.H[a], nearest = nearest_float(lo);
         const bool is_moved = rounded.fast.origin[a] != rounded.of.origin[a];
+        assert_true(rounded.of.origin[a] == (is_box_asked && (double)nearest < lo ? nextafterf(nearest, INFINITY) : nearest));
         assert_true(!is_moved ||
                     (fabs(middle - (lo + hi) / 2) <= 0x1p-24 * fabs(middle) + 0x1p-150 &&
                      (double)nearest_float(hi - middle) == hi - middle && (double)nearest_float(lo - middle) == lo - middle));
@@ -255,7 +256,7 @@ CASE(test_boxes_of_doubles)
         draw_case(&r, &b);
         if (fabs(b.box.lo[0]) + fabs(b.box.lo[1]) + fabs(b.box.lo[2]) + fabs(b.box.hi[0]) + fabs(b.box.hi[1]) + fabs(b.box.hi[2]) <=
             0x1p40)
-            check_fast_box(&b.box, pairs / TRIANGLES % 2);
+            check_floats_of(&b.box, pairs / TRIANGLES % 2);
         for (int k = 0; k < CALLS; k++)
             ask(&r, &b, names[random_int(&r, kernels)]);
     }
