@@ -1,6 +1,6 @@
 /*
  * test_windows.c - windows that test_cells.c does not draw: layers of a grid from several threads at once, layers that cut blocks
- * of cells, and rows of more cells than 2^31.
+ * of cells, and rows and columns of more cells or words than 2^31.
  */
 #include "cells.h"
 
@@ -145,4 +145,31 @@ CASE(test_long_rows)
     free(row);
 }
 
-PROGRAM(RUN_THREADS RUN(test_blocks), RUN(test_long_rows))
+/* The window is the end of a triangle in one column of x, whose layers below it have more words than 2^31. */
+CASE(test_long_columns)
+{
+    enum { ROWS = 4096, LAYERS = 10 };
+    static const double corners[3][3] = {{5.5, 3.25, 1}, {5.25, 3.75, 1.2e6}, {5.75, 9.5, 1.2e6}};
+    const tribox_mesh column = mesh_of_corners(corners, 1, 8);
+    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {64, ROWS, 1 << 21}};
+    const tribox_window end = {{0, 0, 1200000 - LAYERS}, {64, ROWS, LAYERS}};
+    static uint64_t cells[LAYERS * ROWS];
+    for (size_t n = 0; tribox_kernel_list(n); n++) {
+        const tribox_options options = {.kernel = tribox_kernel_list(n)};
+        size_t set = 0;
+        memset(cells, 0, sizeof cells);
+        assert_int_equal(tribox_mesh_voxelize(&column, &grid, &end, &options, cells, NULL), TRIBOX_OK);
+        for (uint32_t k = 0; k < LAYERS; k++)
+            for (uint32_t j = 0; j < 12; j++) {
+                const tribox_box box = tribox_grid_cell(&grid, 5, j, end.first[2] + k);
+                uint64_t mask;
+                assert_int_equal(tribox_mesh_overlap(&column, &box, &options, &mask, NULL), TRIBOX_OK);
+                assert_int_equal(cells[k * ROWS + j], mask << 5);
+                set += mask;
+            }
+        assert_int_equal(bits_set(cells, LAYERS * ROWS), set);
+        assert_true(set > LAYERS);
+    }
+}
+
+PROGRAM(RUN_THREADS RUN(test_blocks), RUN(test_long_rows), RUN(test_long_columns))
