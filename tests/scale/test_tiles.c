@@ -191,6 +191,19 @@ CASE(test_lists)
     }
 }
 
+/* All tiles of few cells a side at once, which may be asked as cells of a coarser grid; and of three, whose planes may be others. */
+CASE(test_small_tiles)
+{
+    random_source r = random_named(args.seed, "small tiles");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+        tile_case_draw(&r, (uint32_t)random_int_between(&r, 2, 4), &drawn);
+        drawn.of.options.accuracy = TRIBOX_EXACT;
+        tile_case_tell(&drawn, doing, sizeof doing);
+        if (tile_case_tiles(&drawn) <= TILES_MAX)
+            check_share(&drawn, 0, tile_case_tiles(&drawn));
+    }
+}
+
 /* Grids of cells of length 1 with so many tiles that no call can look at a layer of them, or a row, each time. */
 static const struct many_tiles {
     bool is_double;
@@ -356,5 +369,5 @@ CASE(test_sums)
     }
 }
 
-PROGRAM(RUN(test_lists), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off), RUN(test_numbers_of_tiles),
+PROGRAM(RUN(test_lists), RUN(test_small_tiles), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off), RUN(test_numbers_of_tiles),
         RUN(test_far), RUN(test_sums))
