@@ -579,7 +579,7 @@ const oriented_scene oriented_scenes[ORIENTED_SCENES] = {
     {"far", draw_far, false, 1},
     {"cancelling", draw_cancelling, false, 1},
     {"scaled", draw_scaled_frame, false, 1},
-    {"least", draw_least, false, 1},
+    {"least", draw_least, false, 4},
     {"tiny-and-huge", draw_tiny_and_huge_ones, false, 1},
     {"ends-of-range", draw_ends_of_range, false, 1},
     {"endless", draw_endless, false, 1},

@@ -263,8 +263,6 @@ static void check_batch(random_source *r, size_t *too_many, size_t *wrong)
     of.is_mesh = false;
 }
 
-enum { DRAWS = 4 }; /* of which the last is asked of the kernels too, which take most of the time */
-
 static void check_scene(const oriented_scene *scene, oriented_form form)
 {
     static const char *const numbers[] = {"floats", "a box of doubles", "doubles"};
@@ -272,11 +270,7 @@ static void check_scene(const oriented_scene *scene, oriented_form form)
     random_source r = random_named(args.seed, scene_name);
     const size_t rounds = arguments_rounds(&args, ORIENTED_TRIANGLES * 80);
     for (size_t round = 0; round < rounds * scene->share; round++) {
-        for (int draw = 0; draw < DRAWS; draw++) {
-            oriented_draw(scene, form, &r, &batch);
-            ask_oracle();
-            check_last_stages();
-        }
+        oriented_draw(scene, form, &r, &batch);
         check_batch(&r, &too_many, &wrong);
         asked += (size_t)batch.count;
         hits += bits_set(overlapping, WORDS);
