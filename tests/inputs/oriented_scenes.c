@@ -385,6 +385,20 @@ static void draw_least(random_source *r, oriented_batch *batch)
     scale(batch, exponent - of_axes, of_axes);
 }
 
+/* Two axes, with their half lengths: products of both vanish, or all but overflow, and no unit for all axes keeps them. */
+static void draw_two_scaled(random_source *r, oriented_batch *batch)
+{
+    const int most = range_of_axes(batch) * 73, powers = random_int(r, 2) ? random_int_between(r, -2 * most, -most) : most;
+    const int kept = random_int(r, 3);
+    draw_whole_ulp(r, batch);
+    for (int k = 0; k < 3; k++) {
+        const int power = k == kept ? 0 : powers;
+        batch->box.half[k] = of_box(batch, ldexp(batch->box.half[k], power));
+        for (int a = 0; a < 3; a++)
+            batch->box.axis[k][a] = of_box(batch, ldexp(batch->box.axis[k][a], power));
+    }
+}
+
 /* In one batch triangles of all sizes, from points to larger than the box, far beyond it. */
 static void draw_tiny_and_huge_ones(random_source *r, oriented_batch *batch)
 {
@@ -580,6 +594,7 @@ const oriented_scene oriented_scenes[ORIENTED_SCENES] = {
     {"cancelling", draw_cancelling, false, 1},
     {"scaled", draw_scaled_frame, false, 1},
     {"least", draw_least, false, 4},
+    {"two-scaled", draw_two_scaled, false, 2},
     {"tiny-and-huge", draw_tiny_and_huge_ones, false, 1},
     {"ends-of-range", draw_ends_of_range, false, 1},
     {"endless", draw_endless, false, 1},

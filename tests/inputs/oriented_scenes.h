@@ -28,7 +28,7 @@ typedef struct oriented_scene {
     unsigned share;   /* of the batches that are drawn */
 } oriented_scene;
 
-enum { ORIENTED_SCENES = 22 };
+enum { ORIENTED_SCENES = 23 };
 extern const oriented_scene oriented_scenes[ORIENTED_SCENES];
 
 /*
