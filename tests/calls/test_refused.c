@@ -296,7 +296,7 @@ static void beside_range(int n)
 {
     a.first = 4, a.count = COUNT - 8;
     for (uint32_t i = 0; i < COUNT; i += i == 3 ? COUNT - 7 : 1)
-        a.orders[i] = a.index[3 * i + (uint32_t)n] = n ? UINT32_MAX : 3 * COUNT;
+        a.orders[i] = a.index[3 * i + (uint32_t)n] = n == 1 ? 3 * COUNT : UINT32_MAX;
 }
 
 static void grid_numbers(int n)
