@@ -195,20 +195,24 @@ static void put(unsigned char **to, const void *bytes, size_t size, bool is_turn
     *to += size;
 }
 
-/* A binary PLY file of 9000 faces, more than a block; fault: at which of them something is unusual. */
+/* Binary PLY, 9000 faces, more than a block; numbers alone where counts have four bytes. fault: at which face something is unusual. */
 static size_t make_binary(const char *format, size_t count_bytes, uint32_t fault_count, uint32_t fault_corner, unsigned char *bytes)
 {
     enum { VERTICES = 5000, FACES = 9000, FAULT = 5000 };
     static const char *const types[] = {"", "uchar", "ushort", "", "int"};
-    const bool is_turned = !strcmp(format, "binary_big_endian");
+    const bool is_turned = !strcmp(format, "binary_big_endian"), has_more = count_bytes < 4;
     unsigned char *to = bytes;
     to += sprintf((char *)bytes,
-                  "ply\nformat %s 1.0\nelement vertex %d\nproperty uchar q\nproperty float z\nproperty float x\nproperty float y\n"
+                  "ply\nformat %s 1.0\nelement vertex %d\n%s"
                   "element face %d\nproperty short s\nproperty list %s uint vertex_index\nproperty uchar f\nend_header\n",
-                  format, VERTICES, FACES, types[count_bytes]);
+                  format, VERTICES,
+                  has_more ? "property uchar q\nproperty float z\nproperty float x\nproperty float y\n"
+                           : "property float x\nproperty float y\nproperty float z\n",
+                  FACES, types[count_bytes]);
     for (int v = 0; v < VERTICES; v++) {
         const float z[3] = {v == 77 ? -0.0f : (float)(v % 17), v == 4000 ? (float)1e30 * (float)1e30 : (float)v * 0.37f, -(float)v};
-        *to++ = 9;
+        if (has_more)
+            *to++ = 9;
         for (int a = 0; a < 3; a++)
             put(&to, &z[a], 4, is_turned);
     }
