@@ -61,8 +61,8 @@ static bool find_run(finding *f, size_t first, size_t count, uint64_t *hit)
 {
     tribox_corners corners;
     uint32_t *const offset = f->offset + 3 * f->count;
-    const size_t greatest = f->query->plan->kernel->find_corners(f->mesh, first, count, offset, &corners);
-    if (greatest >= f->mesh->vertices || !corners.base || !corners.has_all)
+    f->query->plan->kernel->find_corners(f->mesh, first, count, offset, &corners);
+    if (!corners.base || !corners.has_all)
         return false;
     for (size_t i = 0; i < count; i++) /* its other corners are mostly those of triangles beside it */
         tribox_will_read(corners.base + offset[3 * i]);

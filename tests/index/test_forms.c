@@ -236,6 +236,26 @@ CASE(test_changed)
     }
 }
 
+/* In the word before the last, which is asked alone but is read in a packet with triangles of that word. */
+CASE(test_changed_before)
+{
+    random_source r = random_named(args.seed, "changed before");
+    for (size_t round = 0; round < arguments_rounds(&args, 1000); round++) {
+        const size_t tail = 1 + random_below(&r, 7), first = 64 * (1 + random_below(&r, 9));
+        draw_stored(&r, soup_kind_at(round % soup_kind_count()), first + tail);
+        mesh_layout layout = draw_layout(&r, first + tail);
+        layout.form.index_bytes = layout.form.index_bytes ? layout.form.index_bytes : 4;
+        layout.form.is_at_end = true;
+        stored_mesh_lay(&r, &layout);
+        stored_build(NULL);
+        const tribox_box about = bounds_of(first, tail), box = box_in_place(&r, &about);
+        const tribox_oriented_box turned = draw_oriented(&r, &box);
+        mesh_set_index(&stored.mesh, 3 * (first - 1 - random_below(&r, 8)) + random_below(&r, 3), stored.mesh.vertices);
+        for (int k = 0; k < kernels; k++)
+            check_damaged(&(tribox_region){.oriented = &turned}, &(tribox_options){.kernel = names[k]}, "changed before");
+    }
+}
+
 /* A mesh that has lost its vertices, all of them or the last: what it has no room for is not read. */
 CASE(test_shrunk)
 {
@@ -338,4 +358,4 @@ CASE(test_boxes_without_lists)
 }
 
 PROGRAM_AFTER(make_all, RUN(test_hostile), RUN(test_scenes), RUN(test_levels), RUN(test_bytes), RUN(test_unseen), RUN(test_changed),
-              RUN(test_shrunk), RUN(test_bounds), RUN(test_thin_boxes), RUN(test_boxes_without_lists))
+              RUN(test_changed_before), RUN(test_shrunk), RUN(test_bounds), RUN(test_thin_boxes), RUN(test_boxes_without_lists))

@@ -63,7 +63,7 @@ static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, 
                             : mesh->index_bytes == 2 ? find_offsets(mesh, 2, 3 * first, 3 * count, offset)
                                                      : find_offsets(mesh, 4, 3 * first, 3 * count, offset);
     corners->base = positions;
-    corners->has_all = greatest + 1 < mesh->vertices;
+    corners->has_all = greatest < mesh->vertices - 1;
     return greatest;
 }
 
@@ -100,7 +100,7 @@ static void find_listed_corners(const tribox_mesh *mesh, const uint32_t *list, s
                             : mesh->index_bytes == 2 ? find_listed_offsets(mesh, 2, list, count, offset)
                                                      : find_listed_offsets(mesh, 4, list, count, offset);
     corners->base = mesh->positions;
-    corners->has_all = greatest + 1 < mesh->vertices;
+    corners->has_all = greatest < mesh->vertices - 1;
 }
 
 /* Where gathered triangles go: the streams x_0 x_1 x_2 y_0 .. z_2, from place `start` on. */
