@@ -206,7 +206,7 @@ class Answers(Asking):
         asked = [question for question in cases.questions() if "cells" in question.answers]
         self.assertGreater(len(asked), 50)
         for number, question in enumerate(asked):
-            self.check_forms(question, CELLS, 8, number // 2)
+            self.check_forms(question, CELLS, 16, number // 2)
 
     def test_order(self):
         for question in cases.questions():
