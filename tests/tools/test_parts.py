@@ -364,16 +364,17 @@ class Partitions(Voxels):
         far, finite = np.array(self.triangles) + 1e6, TRIANGLES
         stl, ply = self.write("m.stl", meshes.stl_binary(self.triangles)), self.write("m.ply", meshes.ply_of(finite))
         wide = self.write("wide.ply", meshes.ply_of(far[np.isfinite(far).all((1, 2))] + 0.1, kind="double"))
+        grid = grid_of("0.0154,0.0286,0.031", "-2,-2,-2", "260,140,130")  # 3 x 2 x 2 tiles
         for mesh, options, endings in ((self.mesh, (), ("npz", "nrrd", "obj")), (self.mesh, ("--ids",), ("npz", "npy")),
                                        (self.mesh, ("--fill", "outside", "--labels"), ("npz", "nrrd")),
                                        (self.mesh, ("--shard", "2/3"), ("npz",)), (stl, (), ("npz",)), (ply, (), ("npz",))):
             for ending in endings:
-                list(self.sorted_first(self.path(""), mesh, *GRID, *options, ending="." + ending))
-        for mesh, *options in ((self.mesh, "-r", "300"), (wide, "-r", "300"), (wide, "-r", "300", "--shift", "auto"),
-                               (self.mesh_of(far, "far"), "-r", "300", "--shift", "auto"), (stl, "-c", "0.02", "--shift", "1,2,3")):
+                list(self.sorted_first(self.path(""), mesh, *grid, *options, ending="." + ending))
+        for mesh, *options in ((self.mesh, "-r", "200"), (wide, "-r", "200"), (wide, "-r", "200", "--shift", "auto"),
+                               (self.mesh_of(far, "far"), "-r", "200", "--shift", "auto"), (stl, "-c", "0.02", "--shift", "1,2,3")):
             list(self.sorted_first(self.folder, mesh, *options))
         text = self.write("text.obj", meshes.obj(finite))
-        self.assertEqual(self.out("voxelize", text, *GRID, "-m", "3000"), self.out("voxelize", text, *GRID))
+        self.assertEqual(self.out("voxelize", text, *grid, "-m", "3000"), self.out("voxelize", text, *grid))
 
     def test_sorted_first_of_a_pipe(self):
         """Less than a block, and more than memory has room for at first, and later; shifted, and as doubles."""
