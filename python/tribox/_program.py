@@ -29,8 +29,9 @@ def program(what):
 
 
 def run(what, out, *arguments, shown_as=None, stacklevel):
-    """Runs it to its end, when it has written the file out. Its failure becomes an InputError, and what it warns of warnings of the caller's.
+    """Runs it to its end. Its failure becomes an InputError, and what it warns of warnings of the caller's.
 
+    out: the file that it has written then.
     shown_as: a name in what it says, and another to be said in place of that.
     """
     path = program(what)

@@ -195,7 +195,7 @@ static void put(unsigned char **to, const void *bytes, size_t size, bool is_turn
     *to += size;
 }
 
-/* Binary PLY, 9000 faces, more than a block; numbers alone where counts have four bytes. fault: at which face something is unusual. */
+/* Binary PLY, 9000 faces, more than a block; numbers alone where counts have four bytes. fault: what is unusual at one face. */
 static size_t make_binary(const char *format, size_t count_bytes, uint32_t fault_count, uint32_t fault_corner, unsigned char *bytes)
 {
     enum { VERTICES = 5000, FACES = 9000, FAULT = 5000 };

@@ -191,7 +191,7 @@ CASE(test_lists)
     }
 }
 
-/* All tiles of few cells a side at once, which may be asked as cells of a coarser grid; and of three, whose planes may be others. */
+/* All tiles of few cells a side at once, which may be asked as cells of a coarser grid; and of three, whose planes may differ. */
 CASE(test_small_tiles)
 {
     random_source r = random_named(args.seed, "small tiles");
@@ -369,5 +369,5 @@ CASE(test_sums)
     }
 }
 
-PROGRAM(RUN(test_lists), RUN(test_small_tiles), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off), RUN(test_numbers_of_tiles),
-        RUN(test_far), RUN(test_sums))
+PROGRAM(RUN(test_lists), RUN(test_small_tiles), RUN(test_few_of_many), RUN(test_long_row), RUN(test_guess_far_off),
+        RUN(test_numbers_of_tiles), RUN(test_far), RUN(test_sums))
