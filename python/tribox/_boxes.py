@@ -46,7 +46,7 @@ def corner(name, point):
 
 
 def check_unturned(lo):
-    if any(isinstance(box, OrientedBox) for box in (lo if isinstance(lo, (list, tuple)) else [lo])):
+    if isinstance(lo, OrientedBox):
         raise InputError(f"lo = {shown(lo)}; this call takes a box from lo to hi; overlap, find and crop take an OrientedBox")
 
 
@@ -78,7 +78,7 @@ def columns(name, bounds):
 
 def bounds_of_boxes(lo, hi):
     """The lower and the upper bounds of many boxes, of shape (3, m); both of float32 if that holds them, else of float64."""
-    check_unturned(lo)
+    check_unturned(lo[0] if isinstance(lo, (list, tuple)) and lo else lo)
     if hi is None:
         both = numbers("lo", lo)
         if both.ndim != 3 or both.shape[1:] != (2, 3):

@@ -46,11 +46,11 @@ def run(what, out, *arguments, shown_as=None, stacklevel):
         said = [line.replace(*shown_as) for line in said]
     if done.returncode == 2:
         raise Error(f"{what} takes a program tribox of this version, and {path} is of another: {'; '.join(said)}")
-    if not done.returncode and not (os.path.exists(out) and os.path.getsize(out)):
-        raise Error(f"{what} takes the program tribox, and {path}, which wrote nothing, is another")
     if done.returncode:
         more = "; TRIBOX_PROGRAM may name a program that has it" if "built without" in "".join(said) else ""
         raise InputError(("; ".join(said) or f"{path} ended with {done.returncode}") + more)
+    if not (os.path.exists(out) and os.path.getsize(out)):
+        raise Error(f"{what} takes the program tribox, and {path}, which wrote nothing, is another")
     for line in said:
         warnings.warn(line, stacklevel=stacklevel)
 

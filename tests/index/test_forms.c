@@ -206,16 +206,23 @@ static void check_lost(const tribox_region *region, const uint64_t *before, cons
     check_damaged(region, options, "changed");
 }
 
+/* A mesh with vertex numbers, and its index. */
+static void draw_numbered(random_source *r, size_t round, size_t count, bool is_at_end)
+{
+    draw_stored(r, soup_kind_at(round % soup_kind_count()), count);
+    mesh_layout layout = draw_layout(r, count);
+    layout.form.index_bytes = layout.form.index_bytes ? layout.form.index_bytes : 4;
+    layout.form.is_at_end = is_at_end || layout.form.is_at_end;
+    stored_mesh_lay(r, &layout);
+    stored_build(NULL);
+}
+
 CASE(test_changed)
 {
     random_source r = random_named(args.seed, "changed");
     for (size_t round = 0; round < arguments_rounds(&args, 1000); round++) {
         const size_t count = 1 + random_below(&r, 1000), words = tribox_mask_words(count);
-        draw_stored(&r, soup_kind_at(round % soup_kind_count()), count);
-        mesh_layout layout = draw_layout(&r, count);
-        layout.form.index_bytes = layout.form.index_bytes ? layout.form.index_bytes : 4;
-        stored_mesh_lay(&r, &layout);
-        stored_build(NULL);
+        draw_numbered(&r, round, count, false);
         const tribox_box about = draw_box(&r), box = box_in_place(&r, &about);
         tribox_options options = any_index_options(&r);
         options.accuracy = options.accuracy == TRIBOX_FAST ? TRIBOX_EXACT : options.accuracy;
@@ -242,12 +249,7 @@ CASE(test_changed_before)
     random_source r = random_named(args.seed, "changed before");
     for (size_t round = 0; round < arguments_rounds(&args, 1000); round++) {
         const size_t tail = 1 + random_below(&r, 7), first = 64 * (1 + random_below(&r, 9));
-        draw_stored(&r, soup_kind_at(round % soup_kind_count()), first + tail);
-        mesh_layout layout = draw_layout(&r, first + tail);
-        layout.form.index_bytes = layout.form.index_bytes ? layout.form.index_bytes : 4;
-        layout.form.is_at_end = true;
-        stored_mesh_lay(&r, &layout);
-        stored_build(NULL);
+        draw_numbered(&r, round, first + tail, true);
         const tribox_box about = bounds_of(first, tail), box = box_in_place(&r, &about);
         const tribox_oriented_box turned = draw_oriented(&r, &box);
         mesh_set_index(&stored.mesh, 3 * (first - 1 - random_below(&r, 8)) + random_below(&r, 3), stored.mesh.vertices);

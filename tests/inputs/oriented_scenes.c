@@ -374,10 +374,11 @@ static void scale_apart(random_source *r, oriented_batch *batch)
 static void draw_least(random_source *r, oriented_batch *batch)
 {
     static void (*const bases[])(random_source *, oriented_batch *) = {draw_turned, draw_whole, draw_face, draw_sheared};
-    const int of_doubles[] = {0, 925, 896}; /* among subnormal doubles, and where they begin, which shows where all is whole */
+    const int of_doubles[] = {0, 925, 896}; /* among subnormal doubles, and where they begin */
     const int below = batch->form == ORIENTED_DOUBLES ? of_doubles[random_int(r, 3)] : 0;
-    bases[below == 896 ? 1 : random_int(r, 4)](r, batch);
-    if (batch->form != ORIENTED_FLOATS && below != 896 && !random_int(r, 3)) {
+    const bool is_where_they_begin = below == of_doubles[2];
+    (is_where_they_begin ? draw_whole : bases[random_int(r, 4)])(r, batch); /* there whole numbers show it */
+    if (batch->form != ORIENTED_FLOATS && !is_where_they_begin && !random_int(r, 3)) {
         scale_apart(r, batch);
         return;
     }
